@@ -11,12 +11,11 @@ use crate::discretisation::body::Body;
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::element::RevolvedMesh;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
-use crate::heat::conduction::ThermalProperties;
 use crate::heat::counterface::HalfSpace;
+use crate::heat::properties::ThermalProperties;
 use crate::interface::contact::Contact;
 use crate::material::Solid;
-use crate::scene::curve::Curve;
-use crate::scene::{Control, FrictionLaw, InterfaceStrength, Kinematics, Material, Scene, TemperatureTable};
+use crate::scene::{Control, FrictionLaw, InterfaceStrength, Kinematics, Material, Scene};
 use crate::solver::StopRequest;
 use crate::solver::harmonic::{FactorError, HarmonicFactors};
 use crate::solver::newton::Mechanics;
@@ -151,7 +150,7 @@ impl Problem {
             strength_factor: scene.interface.strength_factor,
             wave_speed: wave_speed * scene.radius / diffusivity,
             heat_capacity,
-            thermal_properties: thermal_properties(material, scene.loading.temperature),
+            thermal_properties: ThermalProperties::of(&material.dependence, scene.loading.temperature),
             heat_partition: if counterface.is_some() { 1.0 } else { scene.interface.heat_partition },
             initial_heat_partition: scene.initial_heat_partition(),
             counterface,
@@ -199,21 +198,9 @@ fn half_space(scene: &Scene, capacity: f64, expansion: f64) -> Option<HalfSpace>
     let (conductivity, heat) = (conductivity / thermal_conductivity, heat / (density * specific_heat));
     let conductance = scene.counterface.contact_conductance * scene.radius / thermal_conductivity;
     let half_space = HalfSpace::new(conductivity / heat, capacity * (conductivity * heat).sqrt())
+        .with_properties(ThermalProperties::of(&scene.counterface.dependence, scene.loading.temperature))
         .with_expansion(expansion);
     Some(half_space.with_contact(1.0 / (conductance * capacity), scene.interface.heat_partition))
-}
-
-fn thermal_properties(material: &Material, initial_temperature: f64) -> Option<ThermalProperties> {
-    let (specific_heat, conductivity) =
-        (&material.dependence.specific_heat, &material.dependence.thermal_conductivity);
-    let relative = |table: &Option<TemperatureTable>| match table {
-        Some(table) => table.relative(initial_temperature),
-        None => Curve::constant(1.0),
-    };
-    (specific_heat.is_some() || conductivity.is_some()).then(|| ThermalProperties {
-        specific_heat: relative(specific_heat),
-        conductivity: relative(conductivity),
-    })
 }
 
 /// Mesh and elastic factors for one number of sectors.

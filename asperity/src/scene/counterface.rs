@@ -6,11 +6,12 @@ use std::fmt::{self, Display, Formatter};
 use serde::{Deserialize, Serialize};
 use tables::closed_forms::hertz::{contact_modulus, dundurs_beta};
 
-use crate::scene::Scene;
+use crate::scene::material::Property;
+use crate::scene::{Scene, TemperatureDependence};
 
-/// A counterface that is elastic, or conducts heat, or both; its constants do not depend on temperature.
+/// A counterface that is elastic, or conducts heat, or both.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(from = "CounterfaceSection", into = "CounterfaceSection")]
 pub struct Counterface {
     /// E₂, Pa; with ν₂ the counterface is elastic.
     pub youngs_modulus: Option<f64>,
@@ -18,14 +19,73 @@ pub struct Counterface {
     pub poisson_ratio: Option<f64>,
     /// ρ₂, kg/m³; with c₂ and k₂ the counterface conducts heat.
     pub density: Option<f64>,
-    /// c₂, J/(kg K).
+    /// c₂ at the initial temperature, J/(kg K).
     pub specific_heat: Option<f64>,
-    /// k₂, W/(m K).
+    /// k₂ at the initial temperature, W/(m K).
     pub thermal_conductivity: Option<f64>,
     /// α₂, 1/K, of a counterface that conducts; none leaves its expansion out.
     pub thermal_expansion: Option<f64>,
     /// h_c, W/(m² K): between both surfaces; infinite where their temperatures agree in mean, slope and curvature.
     pub contact_conductance: f64,
+    /// Of c₂ and k₂.
+    pub dependence: TemperatureDependence,
+}
+
+/// The keys of the section as in a file.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+struct CounterfaceSection {
+    youngs_modulus: Option<f64>,
+    poisson_ratio: Option<f64>,
+    density: Option<f64>,
+    specific_heat: Option<Property>,
+    thermal_conductivity: Option<Property>,
+    thermal_expansion: Option<f64>,
+    contact_conductance: f64,
+}
+
+impl Default for CounterfaceSection {
+    fn default() -> Self {
+        Counterface::default().into()
+    }
+}
+
+impl From<CounterfaceSection> for Counterface {
+    fn from(section: CounterfaceSection) -> Self {
+        let split = |property: Option<Property>| property.map(Property::split).unzip();
+        let (specific_heat, heat_table) = split(section.specific_heat);
+        let (thermal_conductivity, conductivity_table) = split(section.thermal_conductivity);
+        Self {
+            youngs_modulus: section.youngs_modulus,
+            poisson_ratio: section.poisson_ratio,
+            density: section.density,
+            specific_heat,
+            thermal_conductivity,
+            thermal_expansion: section.thermal_expansion,
+            contact_conductance: section.contact_conductance,
+            dependence: TemperatureDependence {
+                specific_heat: heat_table.flatten(),
+                thermal_conductivity: conductivity_table.flatten(),
+                ..Default::default()
+            },
+        }
+    }
+}
+
+impl From<Counterface> for CounterfaceSection {
+    fn from(counterface: Counterface) -> Self {
+        let Counterface { specific_heat, thermal_conductivity, dependence, .. } = counterface;
+        Self {
+            youngs_modulus: counterface.youngs_modulus,
+            poisson_ratio: counterface.poisson_ratio,
+            density: counterface.density,
+            specific_heat: specific_heat.map(|value| Property::join(value, dependence.specific_heat)),
+            thermal_conductivity: thermal_conductivity
+                .map(|value| Property::join(value, dependence.thermal_conductivity)),
+            thermal_expansion: counterface.thermal_expansion,
+            contact_conductance: counterface.contact_conductance,
+        }
+    }
 }
 
 impl Default for Counterface {
@@ -38,20 +98,25 @@ impl Default for Counterface {
             thermal_conductivity: None,
             thermal_expansion: None,
             contact_conductance: f64::INFINITY,
+            dependence: TemperatureDependence::default(),
         }
     }
 }
 
-/// The constants as `key = value` in SI units.
+/// The constants at the initial temperature as `key = value` in SI units, and which of them vary with temperature.
 impl Display for Counterface {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        match self.is_absent() {
-            true => Ok(()),
-            false => {
-                let text = toml::to_string(self).map_err(|_| fmt::Error)?;
-                f.write_str(&text.lines().collect::<Vec<_>>().join(", "))
-            }
+        if self.is_absent() {
+            return Ok(());
         }
+        let constant = Self { dependence: TemperatureDependence::default(), ..self.clone() };
+        let text = toml::to_string(&constant).map_err(|_| fmt::Error)?;
+        f.write_str(&text.lines().collect::<Vec<_>>().join(", "))?;
+        let TemperatureDependence { specific_heat, thermal_conductivity, .. } = &self.dependence;
+        let tables = [("specific_heat", specific_heat), ("thermal_conductivity", thermal_conductivity)];
+        let varying: Vec<&str> =
+            tables.iter().filter(|(_, table)| table.is_some()).map(|(key, _)| *key).collect();
+        if varying.is_empty() { Ok(()) } else { write!(f, ", with temperature: {}", varying.join(" and ")) }
     }
 }
 
@@ -61,7 +126,19 @@ impl Counterface {
         *self == Self::default()
     }
 
-    /// k₂ and ρ₂c₂, where it conducts heat.
+    /// Sets the values at the initial temperature, K, of the properties that have a table.
+    pub(crate) fn evaluate_at_temperature(&mut self, temperature: f64) {
+        let TemperatureDependence { specific_heat, thermal_conductivity, .. } = &self.dependence;
+        for (value, table) in
+            [(&mut self.specific_heat, specific_heat), (&mut self.thermal_conductivity, thermal_conductivity)]
+        {
+            if let Some(table) = table {
+                *value = Some(table.at(temperature));
+            }
+        }
+    }
+
+    /// k₂ and ρ₂c₂ at the initial temperature, where it conducts heat.
     pub fn conduction(&self) -> Option<[f64; 2]> {
         Some([self.thermal_conductivity?, self.density? * self.specific_heat?])
     }

@@ -174,6 +174,21 @@ pub(crate) mod smooth_flux {
     pub const PARTITION: f64 = 0.015;
 }
 
+/// Conduction in a counterface whose properties vary with temperature, see `heat::counterface`.
+///
+/// - Fitted: the share of the mean potential over the contact at which its diffusivity is taken; bound of the relative error of the
+///   mean rise over |ln κ/κ₀| at that rise.
+/// - Data: a disc under a uniform flux that moves fast, by finite differences in depth, with k, c or both in proportion to 1 + bθ and
+///   rises up to 2/b: the share that makes the mean rise that of the differences is 0.45 to 0.33. With 0.4 the potential is off by
+///   0.8 % at |ln κ/κ₀| = 0.56, and by less at 0.23 and 0.33.
+/// - Repeated by: `examples/peers/counterface_properties.py`.
+/// - Side condition: at rest, before the heat spreads along the surface, the share is 0.50 to 0.59, and the rise then off by up to 7 %
+///   of |ln κ/κ₀|; contacts that are at rest are not hot.
+pub(crate) mod varying_counterface {
+    pub const SHARE: f64 = 0.4;
+    pub const MEAN_RISE: f64 = 0.015;
+}
+
 /// Place of the contact edge between two rings of nodes, see `interface::contact_edge`.
 ///
 /// - Fitted: the constants at bluntness 0 by linear least squares of ρ and γ, then the changes of ρ₁ and γ₀ to

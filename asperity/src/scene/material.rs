@@ -248,21 +248,21 @@ struct MaterialSection {
 /// A number, or a table over temperature.
 #[derive(Serialize, Deserialize)]
 #[serde(untagged)]
-enum Property {
+pub(super) enum Property {
     Constant(f64),
     Varying(TemperatureTable),
 }
 
 impl Property {
     /// The value, of a table the first until the initial temperature is known, and the table.
-    fn split(self) -> (f64, Option<TemperatureTable>) {
+    pub(super) fn split(self) -> (f64, Option<TemperatureTable>) {
         match self {
             Self::Constant(value) => (value, None),
             Self::Varying(table) => (table.value[0], Some(table)),
         }
     }
 
-    fn join(value: f64, table: Option<TemperatureTable>) -> Self {
+    pub(super) fn join(value: f64, table: Option<TemperatureTable>) -> Self {
         table.map_or(Self::Constant(value), Self::Varying)
     }
 }

@@ -195,6 +195,7 @@ impl Scene {
             *modulus *= ratio;
         }
         material.evaluate_at_temperature(temperature);
+        scene.counterface.evaluate_at_temperature(temperature);
         scene.loading.temperature = temperature;
         scene
     }

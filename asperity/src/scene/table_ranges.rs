@@ -49,13 +49,15 @@ impl Scene {
 
     /// The tables over temperature that a run with or without heat reads.
     fn tables_over_temperature(&self, heat: bool) -> Vec<Points<'_>> {
-        let properties = &self.material.dependence;
+        let (properties, opposite) = (&self.material.dependence, &self.counterface.dependence);
         let mut tables: Vec<Points<'_>> = Vec::new();
         for (key, table) in [
             ("material.youngs_modulus", &properties.youngs_modulus),
             ("material.specific_heat", &properties.specific_heat),
             ("material.thermal_conductivity", &properties.thermal_conductivity),
             ("material.thermal_expansion", &properties.thermal_expansion),
+            ("counterface.specific_heat", &opposite.specific_heat),
+            ("counterface.thermal_conductivity", &opposite.thermal_conductivity),
         ] {
             let table = table.as_ref().filter(|_| heat || key == "material.youngs_modulus");
             tables.extend(table.map(|table| (key, &table.temperature[..], &table.value[..])));

@@ -133,9 +133,13 @@ impl<'a> Conditions<'a> {
             Some(SharedHeat::bound_of_mean_rise(conductivity / scene.material.thermal_conductivity, peclet))
         };
         let slip_rates = self.programme.iter().map(|step| step.slip_rate().abs()).filter(|&rate| rate > 0.0);
-        let mean_rise = slip_rates.filter_map(bound).fold(0.0, f64::max);
         let value = |quantity| run.values.value(quantity);
         let rise = run.values.magnitude(Quantity::TemperatureMean);
+        let counterface = problem.counterface.as_ref()?;
+        // The more of the heat it takes up, the more it determines the rise.
+        let share = (1.0 - value(Quantity::HeatPartition)).abs().min(1.0);
+        let varying = share * counterface.error_of_mean_rise(rise);
+        let mean_rise = slip_rates.filter_map(bound).fold(0.0, f64::max) + varying;
         Some(SharedHeat {
             mean_rise,
             softening: scene.softening_between(rise, (1.0 + mean_rise) * rise),

@@ -32,7 +32,13 @@ impl StageSolver for ContactIteration {
         rise
     }
 
-    fn solve(&mut self, step: &Step<'_>, rhs: &[f64], guess: &[f64]) -> Result<Stage, HeatError> {
+    fn solve(
+        &mut self,
+        step: &Step<'_>,
+        rhs: &[f64],
+        guess: &[f64],
+        _reduction: f64,
+    ) -> Result<Stage, HeatError> {
         let factors = &step.matrix.factors;
         let mut modal = vec![0.0; factors.modal_length()];
         factors.to_modal(rhs, &mut modal);

@@ -21,7 +21,8 @@ use super::ContactHeat;
 use crate::heat::counterface::{HalfSpace, Profile, StepResponse};
 
 /// The counterface in a step.
-pub(super) struct Facing {
+pub(super) struct Facing<'a> {
+    half_space: &'a HalfSpace,
     pub(super) response: StepResponse,
     pub(super) disc: ContactDisc,
     /// r = 1/h_c.
@@ -34,25 +35,40 @@ pub(super) struct Facing {
     pub(super) jacobian: Cell<Matrix3<f64>>,
 }
 
-impl Facing {
-    /// In a step `dt` of a body of effusivity `effusivity` in which the counterface moves by `slip`.
+impl<'a> Facing<'a> {
+    /// In a step `dt` in which the counterface moves by `slip`, of a body of effusivity `effusivity`, with the Jacobian `known` from
+    /// a step of the same length.
     pub(super) fn new(
-        half_space: &HalfSpace,
+        half_space: &'a HalfSpace,
         disc: ContactDisc,
-        effusivity: f64,
+        (effusivity, known): (f64, Option<Matrix3<f64>>),
         (dt, slip): (f64, f64),
     ) -> Self {
         let response = half_space.step(dt, slip, disc.radius);
-        // Of the asperity as of a half-space at rest, κ = 1.
-        let body = HalfSpace::new(1.0, effusivity).step(dt, 0.0, disc.radius).own;
         let resistance = half_space.resistance;
+        let jacobian = known.unwrap_or_else(|| {
+            // Of the asperity as of a half-space at rest, κ = 1.
+            let body = HalfSpace::new(1.0, effusivity).step(dt, 0.0, disc.radius).own;
+            -(body + response.own + Matrix3::identity() * resistance)
+        });
         Self {
+            half_space,
             response,
             disc,
             resistance,
             released: 1.0 - half_space.share,
             expected: half_space.expected_fluxes(),
-            jacobian: Cell::new(-(body + response.own + Matrix3::identity() * resistance)),
+            jacobian: Cell::new(jacobian),
+        }
+    }
+
+    /// Rise of temperature, given that of the potential, see [`crate::heat::counterface`].
+    pub(super) fn rise(&self, potential: Profile) -> Profile {
+        match self.half_space.varies() {
+            true => self
+                .disc
+                .profile_of_values(|point| self.half_space.rise_at(self.disc.value(point, potential))),
+            false => potential,
         }
     }
 
@@ -123,6 +139,11 @@ impl ContactDisc {
         [height, (profile.y * of_slope + profile.z * of_curvature) / self.radius]
     }
 
+    /// Value of a profile at a point.
+    fn value(&self, point: usize, profile: Profile) -> f64 {
+        profile.dot(&self.shapes[point])
+    }
+
     /// Profile of a field, given its integral over the area of each point.
     pub(super) fn profile(&self, integral: impl Fn(usize) -> f64) -> Profile {
         let moments =
@@ -172,7 +193,7 @@ impl ContactHeat for Drawn<'_> {
     fn flow(&self, point: usize, rise: f64) -> (f64, f64) {
         let (flow, slope) = self.heat.flow(point, rise);
         let left = 1.0 - self.share;
-        let smooth = self.smooth.dot(&self.disc.shapes[point]);
+        let smooth = self.disc.value(point, self.smooth);
         (left * flow - smooth * self.disc.areas[point], left * slope)
     }
 }

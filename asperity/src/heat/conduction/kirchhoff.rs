@@ -7,9 +7,10 @@
 use faer::linalg::solvers::Llt;
 
 use super::step::{Stage, StageSolver, Step, solve_contact};
-use super::{HeatError, ThermalProperties, element_matrix};
+use super::{HeatError, element_matrix};
 use crate::discretisation::collocation::Parity;
 use crate::discretisation::element::{CORNERS, RevolvedMesh};
+use crate::heat::properties::ThermalProperties;
 use crate::material::lanes::{add_scaled, dot};
 
 const NEWTON_LIMIT: usize = 60;
@@ -48,9 +49,15 @@ impl StageSolver for &Kirchhoff {
         Kirchhoff::enthalpy(self, rise)
     }
 
-    fn solve(&mut self, step: &Step<'_>, rhs: &[f64], guess: &[f64]) -> Result<Stage, HeatError> {
+    fn solve(
+        &mut self,
+        step: &Step<'_>,
+        rhs: &[f64],
+        guess: &[f64],
+        reduction: f64,
+    ) -> Result<Stage, HeatError> {
         let potential = guess.iter().map(|&rise| self.properties.conductivity.integral(rise)).collect();
-        StageProblem { step, kirchhoff: self, rhs }.solve(potential)
+        StageProblem { step, kirchhoff: self, rhs }.solve(potential, reduction)
     }
 }
 
@@ -70,7 +77,8 @@ struct StageProblem<'a> {
 }
 
 impl StageProblem<'_> {
-    fn solve(&self, potential: Vec<f64>) -> Result<Stage, HeatError> {
+    /// Ends where the residual has its tolerance, or `reduction` times its first value.
+    fn solve(&self, potential: Vec<f64>, reduction: f64) -> Result<Stage, HeatError> {
         let n = potential.len();
         let mut now = self.iterate(potential);
         let mut direction = vec![0.0; n];
@@ -80,8 +88,10 @@ impl StageProblem<'_> {
             let factor = self.factor(&now.stage)?;
             self.precondition(&factor, &now.residual, &mut direction);
             let norm = dot(&now.residual, &direction).max(0.0).sqrt();
-            let reference = self.energy_norm(&now, &slopes).max(*first.get_or_insert(norm));
-            if norm <= TOLERANCE * reference || (norm <= ROUNDING * reference && norm > 0.5 * last) {
+            let first = *first.get_or_insert(norm);
+            let reference = self.energy_norm(&now, &slopes).max(first);
+            let tolerance = (TOLERANCE * reference).max(reduction * first);
+            if norm <= tolerance || (norm <= ROUNDING * reference && norm > 0.5 * last) {
                 return Ok(now.stage);
             }
             if !norm.is_finite() {
@@ -89,7 +99,7 @@ impl StageProblem<'_> {
             }
             last = norm;
             // Forcing term: no more accuracy than the next Newton step can use.
-            let forcing = (0.1 * TOLERANCE * reference / norm).max((norm / reference).clamp(1e-6, 1e-2));
+            let forcing = (0.1 * tolerance / norm).max((norm / reference).clamp(1e-6, 1e-2));
             self.conjugate_gradients(&factor, (&now.residual, &slopes), &mut direction, forcing);
             now = self.line_search(&now, &direction);
         }

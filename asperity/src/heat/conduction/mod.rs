@@ -18,9 +18,11 @@
 
 use std::sync::Arc;
 
+use nalgebra::Matrix3;
+
 use crate::discretisation::element::{CORNERS, HOURGLASS, POINTS, RevolvedMesh, shape_at_points};
 use crate::heat::counterface::HalfSpace;
-use crate::scene::curve::Curve;
+use crate::heat::properties::ThermalProperties;
 use crate::solver::harmonic::{FactorError, FieldKind, HarmonicPattern};
 use contact_iteration::ContactIteration;
 use facing::{ContactDisc, Facing};
@@ -84,20 +86,13 @@ pub struct HeatBalance {
     pub base: f64,
 }
 
-/// Properties over the temperature rise, relative to those at the initial temperature; positive.
-#[derive(Clone, Debug)]
-pub struct ThermalProperties {
-    /// c/c₀.
-    pub specific_heat: Curve,
-    /// k/k₀.
-    pub conductivity: Curve,
-}
-
-impl ThermalProperties {
-    /// Those at the initial temperature throughout.
-    pub fn constant() -> Self {
-        Self { specific_heat: Curve::constant(1.0), conductivity: Curve::constant(1.0) }
-    }
+/// Solution of a step, from which the next one of the same length starts.
+struct Tried {
+    dt: f64,
+    /// At the ends of the stages.
+    rises: [Vec<f64>; 2],
+    /// Of the balance with a conducting counterface, see [`Facing`].
+    jacobian: Option<Matrix3<f64>>,
 }
 
 pub struct Conduction {
@@ -117,8 +112,8 @@ pub struct Conduction {
     varying: Option<Kirchhoff>,
     /// The body that faces the contact, if it conducts.
     pub(crate) counterface: Option<HalfSpace>,
-    /// Length of the step advanced last since the last commit, and the rises of its stages.
-    tried: Option<(f64, [Vec<f64>; 2])>,
+    /// The step advanced last since the last commit.
+    tried: Option<Tried>,
     /// Temperature rise at the nodes, those of the body first.
     pub committed: Vec<f64>,
 }
@@ -226,17 +221,16 @@ impl Conduction {
     ) -> Result<(Vec<f64>, HeatBalance), HeatError> {
         let matrix = self.step_matrix(dt)?;
         let body = &self.sublayers.spread(body)[..];
+        let tried = self.tried.take().filter(|tried| tried.dt == dt);
         let facing = self.counterface.as_ref().map(|half_space| {
             let disc = self.contact_disc(|point| heat.area(point));
+            let known = tried.as_ref().and_then(|tried| tried.jacobian);
             // κ = 1: the effusivity is the capacity.
-            Facing::new(half_space, disc, self.capacity, (dt, heat.slip()))
+            Facing::new(half_space, disc, (self.capacity, known), (dt, heat.slip()))
         });
         let step = Step { conduction: self, matrix: &matrix, dt, body, heat, facing: facing.as_ref() };
         let solved = match &self.varying {
-            Some(varying) => {
-                let tried = self.tried.as_ref().filter(|(tried, _)| *tried == dt);
-                step.integrate(&mut &*varying, tried.map(|(_, rises)| rises))
-            }
+            Some(varying) => step.integrate(&mut &*varying, tried.as_ref().map(|tried| &tried.rises)),
             None => match step.integrate(&mut ContactIteration::default(), None) {
                 // At kinks of the heat flow Newton's method may cycle; minimisation is slower and does not cycle.
                 Err(HeatError::NotConverged { .. }) => {
@@ -248,8 +242,8 @@ impl Conduction {
         };
         let Integrated { rises, balance, fluxes } = solved?;
         let rise = rises[1].clone();
-        self.tried = Some((dt, rises));
-        let response = facing.map(|facing| facing.response);
+        let (response, jacobian) = facing.map(|facing| (facing.response, facing.jacobian.get())).unzip();
+        self.tried = Some(Tried { dt, rises, jacobian });
         if let Some((half_space, response)) = self.counterface.as_mut().zip(response) {
             half_space.try_fluxes(response, fluxes);
         }

@@ -13,6 +13,8 @@ use crate::solver::harmonic::HarmonicFactors;
 /// term so far: the one that remains may be zero.
 const FLUX_ITERATIONS: usize = 30;
 const FLUX_TOLERANCE: f64 = 1e-7;
+/// Reduction of the residual in the solution for a flux, which starts from that for the flux before.
+const REDUCTION: f64 = 1e-2;
 
 /// M + γΔt K.
 pub(super) struct StepMatrix {
@@ -46,7 +48,7 @@ pub(super) struct Step<'a> {
     pub(super) body: &'a [f64],
     pub(super) heat: &'a dyn ContactHeat,
     /// The counterface, if it conducts.
-    pub(super) facing: Option<&'a Facing>,
+    pub(super) facing: Option<&'a Facing<'a>>,
 }
 
 /// Solution of a stage.
@@ -69,8 +71,15 @@ pub(super) trait StageSolver {
     /// H at a rise, in kelvin at c₀.
     fn enthalpy(&self, rise: f64) -> f64;
 
-    /// `guess`: temperature rises to start from.
-    fn solve(&mut self, step: &Step<'_>, rhs: &[f64], guess: &[f64]) -> Result<Stage, HeatError>;
+    /// `guess`: temperature rises to start from; `reduction`: of its residual that is enough, where a solution with another heat
+    /// flow follows.
+    fn solve(
+        &mut self,
+        step: &Step<'_>,
+        rhs: &[f64],
+        guess: &[f64],
+        reduction: f64,
+    ) -> Result<Stage, HeatError>;
 }
 
 impl Step<'_> {
@@ -123,7 +132,7 @@ impl Step<'_> {
         fluxes: &mut [Profile; 2],
     ) -> Result<Stage, HeatError> {
         let Some(facing) = self.facing.filter(|facing| facing.disc.total > 0.0) else {
-            return solver.solve(self, rhs, guess);
+            return solver.solve(self, rhs, guess, 0.0);
         };
         let (disc, resistance) = (&facing.disc, facing.resistance);
         let rise_of = |rise: &[f64], point: usize| rise[self.conduction.contact_places[point]];
@@ -136,12 +145,12 @@ impl Step<'_> {
         for _ in 0..FLUX_ITERATIONS {
             let heat = Drawn::new(self.heat, disc, flux, at_start);
             let start = before.as_ref().map_or(guess, |(.., stage)| &stage.rise);
-            let solved = solver.solve(&Step { heat: &heat, ..*self }, rhs, start)?;
+            let solved = solver.solve(&Step { heat: &heat, ..*self }, rhs, start, REDUCTION)?;
             let rise = disc.profile_of_values(|point| rise_of(&solved.rise, point));
             let generated = frictional(&solved.rise);
             let taken = heat.flux(generated);
             fluxes[stage] = taken;
-            let opposite = facing.response.free(stage, fluxes[0]) + facing.response.own * taken;
+            let opposite = facing.rise(facing.response.free(stage, fluxes[0]) + facing.response.own * taken);
             let released = facing.released * generated;
             let difference = rise - opposite - resistance * (taken - released);
             let terms = [rise, opposite, resistance * taken, resistance * released];

@@ -1,4 +1,4 @@
-//! The counterface: a conducting half-space with constant properties that moves past the contact.
+//! The counterface: a conducting half-space that moves past the contact.
 //!
 //! It takes up heat over the contact, a disc of the contact's area, and otherwise loses none. Flux and rise over the disc are
 //! described by their [`Profile`]. That of the rise is the convolution of that of the flux, F, with the response G of the
@@ -16,7 +16,10 @@
 //!
 //! with B by [`overlap`], as of the surface of a half-space without tractions (J. R. Barber, Int. J. Mech. Sci. 14, 377 (1972);
 //! a wave of the wave number k by erfc(k√(κt))). The flux is constant over parts of an increment, and the integral over each part
-//! is taken in √(t − t'), in which the integrand is smooth. H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids*
+//! is taken in √(t − t'), in which the integrand is smooth.
+//!
+//! Where k and c vary with temperature, θ stands for Kirchhoff's potential Θ = ∫k/k₀ dθ, in which steady conduction is linear, and
+//! t for ∫κ/κ₀ dt with the diffusivity at a share ([`varying_counterface`]) of the mean potential over the contact. H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids*
 //! (1959), §10.3–10.7. Chapter "Heat" of the book.
 
 mod overlap;
@@ -24,6 +27,8 @@ mod overlap;
 use gauss_quad::GaussLegendre;
 use nalgebra::{Matrix3, Vector3};
 
+use crate::heat::properties::ThermalProperties;
+use crate::scene::fitted_constants::varying_counterface;
 use overlap::{Overlap, integral};
 
 /// A field over a disc of radius a: the coefficients of its least-squares fit by 1, ξ = x/a and η = 2r²/a² − 1, with x along the
@@ -45,10 +50,12 @@ const PLACES: i32 = 16;
 /// Relative change of the contact radius up to which the response in an increment is that of the trial before; the heat in the
 /// history differs by up to twice this from that of the increment.
 const SAME_RADIUS: f64 = 1e-3;
+/// Relative change of the diffusivity up to which the response in an increment is that of the trial before.
+const SAME_DIFFUSIVITY: f64 = 1e-3;
 /// Share of an increment over which the flux is that of its first stage, see [`HalfSpace::step`].
 const FIRST_PART: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// A time and the displacement of the half-space at it.
+/// A time, multiplied by κ/κ₀ where it varies, and the displacement of the half-space at it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Moment {
     time: f64,
@@ -87,7 +94,11 @@ pub struct HalfSpace {
     pub share: f64,
     /// 2(1 + ν)α/(ρc): height that the surface gains over the heat per area below it.
     expansion: f64,
+    /// None where specific heat and conductivity are constant.
+    varying: Option<ThermalProperties>,
     now: Moment,
+    /// Mean potential over the contact at the end of the increments before.
+    potential: f64,
     history: Vec<Interval>,
     /// The increment tried last, and the fluxes of its stages.
     trial: Option<(StepResponse, [Profile; 2])>,
@@ -129,6 +140,9 @@ pub struct StepResponse {
     pub own: Matrix3<f64>,
     /// a, of the contact.
     radius: f64,
+    dt: f64,
+    /// Mean κ/κ₀ in the increment.
+    diffusivity: f64,
     from: Moment,
     to: Moment,
 }
@@ -137,6 +151,11 @@ impl StepResponse {
     /// Rise at the end of stage `stage` (0, 1) without the flux of that stage, given that of the first.
     pub fn free(&self, stage: usize, first: Profile) -> Profile {
         self.free[stage] + if stage == 0 { Profile::zeros() } else { self.first * first }
+    }
+
+    /// Mean potential over the contact at the end of the second stage.
+    pub fn potential(&self, fluxes: &[Profile; 2]) -> f64 {
+        (self.free(1, fluxes[0]) + self.own * fluxes[1]).x
     }
 }
 
@@ -149,7 +168,9 @@ impl HalfSpace {
             resistance: 0.0,
             share: 0.5,
             expansion: 0.0,
+            varying: None,
             now: Moment::default(),
+            potential: 0.0,
             history: Vec::new(),
             trial: None,
             of_rise: Quadrature::new(POINTS),
@@ -169,6 +190,37 @@ impl HalfSpace {
         Self { expansion: 2.0 * expansion / capacity, ..self }
     }
 
+    /// The same with properties that depend on temperature, if there are any.
+    pub fn with_properties(self, varying: Option<ThermalProperties>) -> Self {
+        Self { varying, ..self }
+    }
+
+    /// Rise of temperature at a potential.
+    pub fn rise_at(&self, potential: f64) -> f64 {
+        self.varying.as_ref().map_or(potential, |varying| varying.conductivity.inverse_integral(potential))
+    }
+
+    /// Bound of the relative error of its mean rise where that is `rise`, see [`varying_counterface`].
+    pub fn error_of_mean_rise(&self, rise: f64) -> f64 {
+        let of = |varying: &ThermalProperties| {
+            let potential = varying.conductivity.integral(rise);
+            varying_counterface::MEAN_RISE * varying.diffusivity(potential).ln().abs()
+        };
+        self.varying.as_ref().map_or(0.0, of)
+    }
+
+    /// Whether potential and rise differ.
+    pub fn varies(&self) -> bool {
+        self.varying.is_some()
+    }
+
+    /// Mean κ/κ₀ in an increment that begins now, with the end of the one tried last.
+    fn diffusivity(&self) -> f64 {
+        let end = self.trial.as_ref().map_or(self.potential, |(step, fluxes)| step.potential(fluxes));
+        let mean = 0.5 * (self.potential + end);
+        self.varying.as_ref().map_or(1.0, |varying| varying.diffusivity(varying_counterface::SHARE * mean))
+    }
+
     pub fn expands(&self) -> bool {
         self.expansion != 0.0
     }
@@ -180,9 +232,12 @@ impl HalfSpace {
     /// and γ: the flux of the first stage acts for the first 1/√2 of the increment, that of the second for the rest.
     /// The response at the end of a stage to its own flux is that to a flux during γ in both.
     pub fn step(&self, dt: f64, slip: f64, radius: f64) -> StepResponse {
-        let (from, to) = (self.now, Moment { time: self.now.time + dt, slip: self.now.slip + slip });
+        let (from, diffusivity) = (self.now, self.diffusivity());
+        let to = Moment { time: from.time + diffusivity * dt, slip: from.slip + slip };
         let is_same = |tried: &StepResponse| {
-            tried.from == from && tried.to == to && (tried.radius / radius - 1.0).abs() <= SAME_RADIUS
+            (tried.from, tried.dt, tried.to.slip) == (from, dt, to.slip)
+                && (tried.diffusivity / diffusivity - 1.0).abs() <= SAME_DIFFUSIVITY
+                && (tried.radius / radius - 1.0).abs() <= SAME_RADIUS
         };
         if let Some((tried, _)) = self.trial.filter(|(tried, _)| is_same(tried)) {
             return tried;
@@ -196,7 +251,7 @@ impl HalfSpace {
         };
         let first = response(from.towards(to, FIRST_PART), to);
         let own = response(stage, stage);
-        StepResponse { free, first, own, radius, from, to }
+        StepResponse { free, first, own, radius, dt, diffusivity, from, to }
     }
 
     /// Profile of the height of the surface over the contact at the end of the increment tried last; nothing where it does not
@@ -206,7 +261,14 @@ impl HalfSpace {
         let (StepResponse { radius, to, .. }, _) = *trial;
         let contact = Disc { radius, downstream: 0.0, panel: radius / PANELS_PER_RADIUS };
         let heats = self.history.iter().copied().chain(parts(trial));
-        Some(heats.map(|heat| self.raised(&heat, to, contact) * heat.flux).sum())
+        let height: Profile = heats.map(|heat| self.raised(&heat, to, contact) * heat.flux).sum();
+        // Of the rise of temperature, not of the potential, in the ratio that they have in the contact.
+        let potential = trial.0.potential(&trial.1);
+        Some(if self.varies() && potential > 0.0 {
+            height * (self.rise_at(potential) / potential)
+        } else {
+            height
+        })
     }
 
     /// Takes note of the fluxes of the stages of an increment, which [`HalfSpace::commit`] makes final.
@@ -217,6 +279,7 @@ impl HalfSpace {
     /// Adds the increment tried last to the history.
     pub fn commit(&mut self) {
         if let Some(trial) = self.trial.take() {
+            self.potential = trial.0.potential(&trial.1);
             self.history.extend(parts(&trial).into_iter().filter(|part| part.flux != Profile::zeros()));
             self.now = trial.0.to;
         }
@@ -228,7 +291,7 @@ impl HalfSpace {
             let from_edge = 1.0 - f64::from(place.abs()) / f64::from(PLACES);
             let downstream = f64::from(place.signum()) * (1.0 - from_edge * from_edge) * radius;
             let point = Disc { radius: POINT * radius, downstream, panel: radius / PANELS_AT_A_POINT };
-            self.history.iter().map(|heat| self.rise(heat, self.now, point).x).sum()
+            self.rise_at(self.history.iter().map(|heat| self.rise(heat, self.now, point).x).sum())
         };
         // On both sides: after a reversal the hotter one may be upstream.
         (-PLACES..=PLACES).map(rise).fold(0.0, f64::max)
@@ -301,75 +364,4 @@ fn parts(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A disc at rest that is heated in one long increment, Fo = 10⁶: 8/(3π) qa/k less 1/(2√(πFo)) (Carslaw & Jaeger 1959,
-    /// §10.5).
-    #[test]
-    fn long_increments_heat_as_short_ones_do() {
-        let half_space = HalfSpace::new(1.0, 1.0);
-        let fourier: f64 = 1e6;
-        let length = fourier / (1.0 - FIRST_PART);
-        for slip in [0.0, 1e-4 * length] {
-            let rise = half_space.step(length, slip, 1.0).own[(0, 0)];
-            let expected = 8.0 / (3.0 * std::f64::consts::PI) - 0.5 / (std::f64::consts::PI * fourier).sqrt();
-            assert!((rise / expected - 1.0).abs() < 2e-4, "{rise} {expected}");
-        }
-    }
-
-    /// An increment with a uniform flux over the unit disc.
-    fn heat(half_space: &mut HalfSpace, dt: f64, slip: f64, flux: f64) {
-        let step = half_space.step(dt, slip, 1.0);
-        half_space.try_fluxes(step, [Profile::new(flux, 0.0, 0.0); 2]);
-        half_space.commit();
-    }
-
-    /// Steady sliding at Pe = 10 in either direction, then a hold: the mirror image has the same highest rise, before the hold
-    /// that of Carslaw & Jaeger 1959, §10.7 (0.338382 qa/k).
-    #[test]
-    fn the_highest_rise_is_found_downstream_in_either_direction() {
-        let after = |direction: f64, hold: f64| {
-            let mut half_space = HalfSpace::new(1.0, 1.0);
-            let mut dt = 1e-4;
-            for _ in 0..35 {
-                heat(&mut half_space, dt, direction * 20.0 * dt, 1.0);
-                dt *= 1.3;
-            }
-            heat(&mut half_space, hold, 0.0, 0.0);
-            half_space.highest_rise(1.0)
-        };
-        assert!((after(1.0, 1e-9) / 0.338382 - 1.0).abs() < 2e-3, "{}", after(1.0, 1e-9));
-        for hold in [1e-9, 1e-3] {
-            let [forwards, backwards] = [1.0, -1.0].map(|direction| after(direction, hold));
-            assert!((forwards / backwards - 1.0).abs() < 1e-12, "{forwards} {backwards}");
-        }
-    }
-
-    /// Uniform heat on the unit disc of a half-space with (1 + ν)α = 1 and κ = k = 1: at first the surface rises by 2qt and, of a
-    /// moving body, by 2q over the time that has passed since it entered the disc, on average 8/(3πV) and by 1/V per radius; at
-    /// last the curvature is that of steady heat, w = w₀ − qr²/4 (J. R. Barber 1972).
-    #[test]
-    fn the_surface_rises_with_the_heat_below_it() {
-        let raised = |speed: f64, time: f64| {
-            let mut half_space = HalfSpace::new(1.0, 1.0).with_expansion(1.0);
-            let mut dt = time / 1e4;
-            while half_space.now.time + dt < time {
-                heat(&mut half_space, dt, speed * dt, 1.0);
-                dt *= 1.2;
-            }
-            dt = time - half_space.now.time;
-            let step = half_space.step(dt, speed * dt, 1.0);
-            half_space.try_fluxes(step, [Profile::new(1.0, 0.0, 0.0); 2]);
-            half_space.height_tried().unwrap()
-        };
-        let early = raised(0.0, 1e-7) / 2e-7;
-        assert!((early.x - 1.0).abs() < 5e-3, "{early}");
-        let steady = raised(0.0, 1e4);
-        assert!((8.0 * steady.z + 1.0).abs() < 5e-3, "{steady}");
-        let speed = 1e5;
-        let moving = raised(speed, 3.0 / speed) * speed / 2.0;
-        let expected = Profile::new(8.0 / (3.0 * std::f64::consts::PI), 1.0, 0.0);
-        assert!((moving - expected).rows(0, 2).amax() < 1e-2, "{moving}");
-    }
-}
+mod tests;

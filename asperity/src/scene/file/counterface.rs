@@ -12,6 +12,8 @@ use crate::scene::presets::{self, Preset};
 
 const ELASTIC: [&str; 2] = ["youngs_modulus", "poisson_ratio"];
 const CONDUCTING: [&str; 3] = ["thermal_conductivity", "density", "specific_heat"];
+/// Constants that may vary with temperature; others of a preset are those at the initial one.
+const MAY_VARY: [&str; 2] = ["thermal_conductivity", "specific_heat"];
 const EXPANSION: &str = "thermal_expansion";
 /// What a counterface has only if it conducts.
 const IF_IT_CONDUCTS: [&str; 2] = [EXPANSION, "contact_conductance"];
@@ -35,8 +37,7 @@ pub fn take_preset(
     }
 }
 
-/// Replaces the keys `preset` and `elastic` of the section `[counterface]` by constants at `loading.temperature`, and
-/// checks that these are complete.
+/// Replaces the keys `preset` and `elastic` of the section `[counterface]` by constants, and checks that these are complete.
 pub fn resolve_counterface(sections: &mut Table, source: &Source) -> Result<(), SceneFileError> {
     let temperature =
         sections.get("loading").and_then(|loading| loading.get("temperature")).and_then(as_number);
@@ -51,8 +52,10 @@ pub fn resolve_counterface(sections: &mut Table, source: &Source) -> Result<(), 
         for key in ELASTIC.into_iter().chain(CONDUCTING).chain([EXPANSION]) {
             let value = constants.remove(key).expect("every preset has it");
             let value = match value.clone().try_into::<TemperatureTable>() {
-                Ok(table) => Value::Float(table.at(temperature.unwrap_or(default_temperature()))),
-                Err(_) => value,
+                Ok(table) if !MAY_VARY.contains(&key) => {
+                    Value::Float(table.at(temperature.unwrap_or(default_temperature())))
+                }
+                _ => value,
             };
             section.entry(key).or_insert(value);
         }
@@ -100,8 +103,8 @@ pub fn resolve_counterface(sections: &mut Table, source: &Source) -> Result<(), 
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::Counterface;
     use crate::scene::file::{parse_scene, write_scene};
+    use crate::scene::{Counterface, TemperatureDependence};
 
     fn read(section: &str) -> Result<Counterface, String> {
         let text = format!(
@@ -127,9 +130,16 @@ mod tests {
         assert_eq!((rigid.youngs_modulus, rigid.thermal_expansion), (None, None));
         assert_eq!(rigid.conduction(), Some([44.5, 8000.0 * 475.0]));
         assert!(read("").unwrap().is_absent());
-        // Tables over temperature have their value at 298 K.
+        // Tables over temperature have their value at 298 K; those of k and c stay.
         let carbon = read("[counterface]\npreset = \"carbon-steel-en1993\"").unwrap();
         assert!((carbon.thermal_conductivity.unwrap() - 53.17).abs() < 0.01);
+        let TemperatureDependence { specific_heat, thermal_conductivity, .. } = &carbon.dependence;
+        assert!(specific_heat.is_some() && thermal_conductivity.is_some());
+        assert!(carbon.to_string().ends_with(", with temperature: specific_heat and thermal_conductivity"));
+        let table = "{ temperature = [300, 500], value = [10, 20] }";
+        let constants = "density = 2\nspecific_heat = 3\n";
+        let varying = read(&format!("[counterface]\nthermal_conductivity = {table}\n{constants}")).unwrap();
+        assert_eq!(varying.conduction(), Some([10.0, 6.0]));
         let constants = "thermal_conductivity = 1\ndensity = 2\nspecific_heat = 3\n";
         let some = read(&format!("[counterface]\n{constants}contact_conductance = 1e6")).unwrap();
         assert_eq!((some.conduction(), some.contact_conductance), (Some([1.0, 6.0]), 1e6));

@@ -74,6 +74,7 @@ impl Document {
         }
         let mut scene: Scene = read("", &sections, SCENE, &self.source)?;
         scene.material.evaluate_at_temperature(scene.loading.temperature);
+        scene.counterface.evaluate_at_temperature(scene.loading.temperature);
         relations::check_material(&scene, &self.source)?;
         Ok(scene)
     }

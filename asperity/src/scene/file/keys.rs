@@ -184,9 +184,9 @@ const COUNTERFACE: &[Key] = &[
     key("elastic", Flag),
     key("youngs_modulus", Number("Pa", POSITIVE)),
     key("poisson_ratio", Number("1", POISSON)),
-    key("thermal_conductivity", Number("W/(m K)", POSITIVE)),
+    key("thermal_conductivity", Property("W/(m K)", POSITIVE)),
     key("density", Number("kg/m3", POSITIVE)),
-    key("specific_heat", Number("J/(kg K)", POSITIVE)),
+    key("specific_heat", Property("J/(kg K)", POSITIVE)),
     key("thermal_expansion", Number("1/K", NOT_NEGATIVE)),
     key("contact_conductance", Number("W/(m2 K)", POSITIVE_OR_INFINITE)),
 ];

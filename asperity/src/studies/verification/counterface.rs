@@ -4,7 +4,8 @@
 //! §10.5; moving X. Tian & F. E. Kennedy, *Maximum and average flash temperatures in sliding contacts*, J. Tribol. 116,
 //! 167 (1994), doi 10.1115/1.2927035, and the integral of moving point sources (Carslaw & Jaeger §10.7) that their formula
 //! fits, over Pe = Va/(2κ). Displacement of the surface: J. R. Barber, Int. J. Mech. Sci. 14, 377 (1972),
-//! `examples/peers/counterface_expansion.py`. Steady sliding of two bodies: boundary elements, `examples/peers/sliding_heat.py`.
+//! `examples/peers/counterface_expansion.py`. Properties that vary with temperature: finite differences in depth,
+//! `examples/peers/counterface_properties.py`. Steady sliding of two bodies: boundary elements, `examples/peers/sliding_heat.py`.
 
 use std::f64::consts::PI;
 
@@ -17,6 +18,8 @@ use super::setup::{
 };
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::heat::counterface::{HalfSpace, Profile};
+use crate::heat::properties::ThermalProperties;
+use crate::scene::curve::Curve;
 use crate::scene::{Counterface, FrictionLaw, Scene, Switch};
 use crate::simulate::{Watch, derived, simulate};
 
@@ -27,10 +30,13 @@ const FIT: &str = "Tian & Kennedy 1994, doi 10.1115/1.2927035";
 const GAP: &str = "Carslaw & Jaeger 1959, sec. 10.5, and Volterra's equation for the flow through the gap";
 const DIVIDED: &str = "rises of half-spaces of one diffusivity, in proportion to 1/k";
 
+const DIFFERENCES: &str = "examples/peers/counterface_properties.py";
+
 const SPHERE: &str = "Neumann function of the sphere, Dassios & Sten 2012, in the mean over a disc";
 
-pub const CASES: [Case; 6] = [
+pub const CASES: [Case; 7] = [
     Case::new("half-space under a disc source", Cost::Quick, |_| Ok(half_space())),
+    Case::new("half-space with properties over temperature", Cost::Quick, |_| Ok(varying())),
     Case::new("bodies at rest", Cost::Quick, at_rest),
     Case::new("constriction of the asperity", Cost::Quick, constricted),
     Case::new("elastic counterface", Cost::Quick, elastic),
@@ -57,6 +63,45 @@ fn heated(peclet: f64, fourier: f64) -> (f64, f64, f64) {
         dt *= 1.3;
     }
     (rise, half_space.highest_rise(1.0), height)
+}
+
+/// A disc that moves at Pe = 5·10⁵ under a uniform flux, with k/k₀ = 1 + b_k θ and c/c₀ = 1 + b_c θ: mean potential.
+fn varying() -> Vec<Row> {
+    let growing = |b: f64| Curve::new(vec![0.0, 10.0], vec![1.0, 1.0 + 10.0 * b]);
+    let flux = Profile::new(0.9, 0.0, 0.0);
+    let speed: f64 = 1e6;
+    let row = |(conductivity, heat, expected): (f64, f64, f64)| {
+        let properties =
+            ThermalProperties { specific_heat: growing(heat), conductivity: growing(conductivity) };
+        let mut half_space = HalfSpace::new(1.0, 1.0).with_properties(Some(properties));
+        let fluxes = [flux * speed.sqrt(); 2];
+        let (mut potential, mut dt) = (0.0, 1e-3 / speed);
+        for _ in 0..60 {
+            // The diffusivity is that of the trial before.
+            for _ in 0..4 {
+                let step = half_space.step(dt, speed * dt, 1.0);
+                potential = step.potential(&fluxes);
+                half_space.try_fluxes(step, fluxes);
+            }
+            half_space.commit();
+            dt *= 1.15;
+        }
+        let name = format!(
+            "mean Kirchhoff potential of a counterface that moves fast, k/k0 = 1 + {conductivity} theta, c/c0 = 1 + {heat} theta"
+        );
+        let reference = Reference::exact(expected, DIFFERENCES).known_to(2e-4);
+        Row::new(name, potential, reference, Tolerance::relative(0.01, "diffusivity of the mean potential"))
+    };
+    [
+        (0.5, 0.0, 0.9503),
+        (1.0, 0.0, 1.0094),
+        (0.0, 0.5, 0.8078),
+        (0.0, 1.0, 0.7603),
+        (0.5, 0.25, 0.9096),
+        (1.0, 0.5, 0.9320),
+    ]
+    .map(row)
+    .into()
 }
 
 fn half_space() -> Vec<Row> {

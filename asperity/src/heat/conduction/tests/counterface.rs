@@ -70,3 +70,36 @@ fn a_moving_counterface_makes_the_asperity_hotter_downstream() {
         assert!((rise / reversed - 1.0).abs() < 1e-6, "{rise} {reversed}");
     }
 }
+
+/// Like bodies at rest share the heat equally, whatever their properties. With k or c 1.9 times as large in the contact, the rise
+/// beside a counterface that varies in the same way is closer to that under half of the flux than beside one of constant
+/// properties: by ten times for k, twice for c.
+#[test]
+fn like_bodies_with_varying_properties_share_the_heat() {
+    let mesh = mesh(8, Collocation::full(4));
+    let time = (0.05 * RADIUS).powi(2);
+    // A rise of 1 K at constant properties.
+    let flux = 0.5 * std::f64::consts::PI.sqrt() / (0.05 * RADIUS);
+    let rises = |properties: &ThermalProperties, counterface: Option<HalfSpace>, flux: f64| -> f64 {
+        let contact = Uniform { flux, ..Uniform::new(&mesh) };
+        let heat = Rim { contact, inner: -1.0, slip: 0.0 };
+        let mut conduction = Conduction::new(&mesh, 1.0, 8)
+            .unwrap()
+            .with_properties(Some(properties.clone()))
+            .with_counterface(counterface);
+        heat_for(&mut conduction, &heat, time);
+        conduction.committed[conduction.contact_places[0]]
+    };
+    let constant = || Curve::constant(1.0);
+    for (specific_heat, conductivity, closer) in
+        [(constant(), growing(), 10.0), (growing(), constant(), 2.0), (growing(), growing(), 10.0)]
+    {
+        let properties = ThermalProperties { specific_heat, conductivity };
+        let alone = rises(&properties, None, flux);
+        let [like, unlike] = [Some(properties.clone()), None].map(|varying| {
+            let half_space = HalfSpace::new(1.0, 1.0).with_properties(varying);
+            (rises(&properties, Some(half_space), 2.0 * flux) / alone - 1.0).abs()
+        });
+        assert!(closer * like < unlike, "{alone}: {like} {unlike}");
+    }
+}
