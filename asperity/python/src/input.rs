@@ -10,7 +10,7 @@ use crate::errors;
 /// A scene, a request or a surface.
 #[derive(FromPyObject)]
 pub struct Given {
-    /// "path", "toml" or "json".
+    /// "path", "text" or "dict".
     kind: String,
     /// The path or the text.
     content: String,
@@ -24,17 +24,11 @@ pub enum Source {
 }
 
 impl Given {
-    pub fn source(self) -> PyResult<Source> {
+    pub fn source(self) -> Source {
         match self.kind.as_str() {
-            "path" => Ok(Source::Path(self.content.into())),
-            "toml" => Ok(Source::Text(self.content, "text")),
-            _ => {
-                let toml = serde_json::from_str::<toml::Table>(&self.content)
-                    .map_err(|error| error.to_string())
-                    .and_then(|table| toml::to_string(&table).map_err(|error| error.to_string()));
-                let refused = |reason| errors::input(format!("dict: {reason}"), Some("dict"), None, reason);
-                Ok(Source::Text(toml.map_err(refused)?, "dict"))
-            }
+            "path" => Source::Path(self.content.into()),
+            "text" => Source::Text(self.content, "text"),
+            _ => Source::Text(self.content, "dict"),
         }
     }
 }

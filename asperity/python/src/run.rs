@@ -37,7 +37,7 @@ pub fn simulate(
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Run> {
-    let scene = match scene.source()? {
+    let scene = match scene.source() {
         Source::Path(path) => read_scene(&path, &overrides),
         Source::Text(text, name) => parse_scene(&text, name, &overrides),
     };

@@ -196,7 +196,7 @@ impl Question<'_> {
                 let Characterization { found, place, name } = measured.get();
                 surface_of(found, (Path::new(place), name), &overrides)
             }
-            (None, Some(given)) => match given.source()? {
+            (None, Some(given)) => match given.source() {
                 Source::Path(path) => SurfaceFile::read_with(&path, &overrides),
                 Source::Text(text, name) => SurfaceFile::parse_with(Path::new(name), text, &overrides),
             },

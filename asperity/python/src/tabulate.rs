@@ -25,7 +25,7 @@ pub fn tabulate(
     resume: bool,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Table> {
-    let source = request.source()?;
+    let source = request.source();
     let journal = Journal::beside(&output);
     let inputs: Vec<(&str, &Path)> = match &source {
         Source::Path(path) => vec![("the request", path.as_path())],

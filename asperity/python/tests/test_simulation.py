@@ -4,6 +4,7 @@ import _thread
 import threading
 import time
 
+import numpy as np
 import pytest
 from conftest import REQUEST, SCENE, assert_same, run, toml
 
@@ -42,6 +43,22 @@ def test_overrides_fields_and_figures(folder):
     assert figure.svg.lstrip().startswith("<svg") or "<svg" in figure.svg[:200]
     assert result.save_body("body").exists()
     assert result["mu"].value > 0.1 and "mu " in repr(result)
+
+
+def test_dictionaries_lists_and_infinity_are_input(folder):
+    """As values of overrides and of a dictionary; a path may have a ``=``."""
+    scene = {
+        **SCENE,
+        "loading": {"interference": np.float64(5)},
+        "counterface": {"preset": "copper", "elastic": False, "contact_conductance": float("inf")},
+    }
+    steps = [{"slip_rate": 1.0, "slip_distance": 0.02}, {"slip_rate": -1.0, "slip_distance": np.float64(0.01)}]
+    changes = {"loading.steps": steps, "material.hardening": {"law": "linear", "modulus": 1e9}}
+    result = asperity.simulate(scene, overrides=changes)
+    assert all(text in result.scene for text in ('law = "linear"', "contact_conductance = inf", "slip_rate = -1.0"))
+    (folder / "v=1").mkdir()
+    (folder / "v=1" / "scene.toml").write_text(result.scene)
+    assert asperity.simulate("v=1/scene.toml")["Q"] == result["Q"]
 
 
 def test_progress_is_told_and_its_exceptions_stop_the_run():

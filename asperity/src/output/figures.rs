@@ -145,16 +145,7 @@ pub fn run_figure(scene: &Scene, outcome: &Outcome) -> Figure {
 /// Slip in units of a₀ along the slide; of a programme the sum over its steps.
 fn slips(outcome: &Outcome) -> Vec<f64> {
     let radius = outcome.scalars[Quantity::ContactRadius].value;
-    let slips = outcome.slide.column(Quantity::Slip);
-    if !is_programme(outcome) {
-        return slips.iter().map(|slip| slip / radius).collect();
-    }
-    let lengths = slips.windows(2).map(|pair| (pair[1] - pair[0]).abs() / radius);
-    let sums = lengths.scan(0.0, |sum, length| {
-        *sum += length;
-        Some(*sum)
-    });
-    std::iter::once(0.0).chain(sums).collect()
+    outcome.slide.column(Quantity::SlipAccumulated).iter().map(|slip| slip / radius).collect()
 }
 
 fn is_programme(outcome: &Outcome) -> bool {
@@ -247,12 +238,11 @@ mod tests {
         let mut outcome = fake::outcome(&scene);
         let radius = outcome.scalars[Quantity::ContactRadius].value;
         let last = outcome.slide.len() - 1;
-        outcome.slide.column_mut(Quantity::Slip)[last - 1] = 2.0 * radius;
         outcome.slide.column_mut(Quantity::Slip)[last] = radius;
+        outcome.slide.column_mut(Quantity::SlipAccumulated)[last] = 3.0 * radius;
         outcome.slide.column_mut(Quantity::ProgrammeStep)[last] = 2.0;
         let Panel { x, curves, .. } = &run_figure(&scene, &outcome).panels[0];
-        let first = outcome.slide.column(Quantity::Slip)[0] / radius;
-        assert!(!x.log && (curves[0].x[last] - (3.0 - first)).abs() < 1e-12, "{:?}", curves[0].x);
+        assert!(!x.log && (curves[0].x[last] - 3.0).abs() < 1e-12, "{:?}", curves[0].x);
     }
 
     #[test]

@@ -63,7 +63,7 @@ pub fn write(path: &Path, scene: &Scene, outcome: &Outcome, about: &About<'_>) -
     file.attribute("notes", lines(&outcome.account.notes))?;
     file.attribute("warnings", lines(&outcome.account.warnings))?;
     columns(&mut file, "step_press", &outcome.press, &[Quantity::InterferencePress])?;
-    columns(&mut file, "step", &outcome.slide, &[Quantity::Slip, Quantity::Time])?;
+    columns(&mut file, "step", &outcome.slide, &[Quantity::Slip, Quantity::SlipAccumulated, Quantity::Time])?;
     estimates(&mut file, scene, outcome)?;
     account(&mut file, outcome)?;
     fields(&mut file, outcome)?;
@@ -93,9 +93,6 @@ fn columns(
         let mut attributes = described(descriptor.units, descriptor.long_name);
         if !coordinates.contains(&quantity) {
             attributes.push(("coordinates", names.join(" ").into()));
-        }
-        if descriptor.scalar {
-            attributes.push(("ancillary_variables", format!("{}_error", descriptor.name).into()));
         }
         file.reals(descriptor.name, &[dimension], values, &attributes)?;
     }

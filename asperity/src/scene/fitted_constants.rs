@@ -265,10 +265,12 @@ pub(crate) mod processor_time {
     pub const REFERENCE_ACCURACY: f64 = 0.02;
     pub const REFERENCE_ELEMENTS: f64 = 10.0;
     pub const REFERENCE_SECTORS: f64 = 4.0;
-    /// Of a conducting counterface, and of thermal properties that depend on temperature.
+    /// Of a conducting counterface.
     pub const CONDUCTION: f64 = 2.5;
-    /// Of the latter in a contact that would melt at its full strength.
-    pub const HOT_PROPERTIES: f64 = 4.0;
+    /// Of thermal properties that depend on temperature.
+    pub const PROPERTIES: f64 = 1.8;
+    /// Of them in a contact that would melt at its full strength, in addition.
+    pub const HOT_PROPERTIES: f64 = 1.5;
     /// Bounds: set-up and coarsest mesh, of each step; finest mesh that an accuracy leads to.
     pub const LEAST: f64 = 0.5;
     pub const MOST: f64 = 200.0;

@@ -111,6 +111,7 @@ impl<'a> Conditions<'a> {
             finite_counterface: problem.counterface_share
                 * self.pressed.contact_radius
                 * problem.elastic_share(),
+            friction_exponent: run.friction_exponent(),
             localised_shear: scene.localised_shear(run.plastic_strain_in_stick()),
         }
     }

@@ -34,7 +34,7 @@ fn state(scene: &Scene, share: f64, quantity: Quantity) -> f64 {
     let mu =
         0.3 * (1.0 - (initial - 298.0) / 2000.0) * (1.0 - (-20.0 * share).exp()) / (1.0 + 0.2 * rate * share);
     match quantity {
-        Quantity::Slip => share * scene.loading.slip_distance * radius,
+        Quantity::Slip | Quantity::SlipAccumulated => share * scene.loading.slip_distance * radius,
         Quantity::Time => share,
         Quantity::Friction => mu * load,
         Quantity::Load => load,

@@ -301,9 +301,13 @@ fn slide_history(problem: &Problem, programme: &[LoadingStep], states: &[SlideSt
     // Work and heat are of the half body.
     let energy = |x: f64| 2.0 * x * units.energy();
     let mut history = History::new(&Quantity::RUN_HISTORIES);
+    let (mut before, mut path) = (0.0, 0.0);
     for i in states {
+        path += (i.slip - before).abs();
+        before = i.slip;
         history.push(|quantity| match quantity {
             Quantity::Slip => i.slip * units.length,
+            Quantity::SlipAccumulated => path * units.length,
             Quantity::Interference => i.interference / problem.critical_interference,
             Quantity::Time => i.time * units.time,
             Quantity::SlipRate => programme[i.step].slip_rate(),

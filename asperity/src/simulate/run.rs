@@ -57,6 +57,19 @@ impl Run {
         if self.history.len() > 1 { strain } else { 0.0 }
     }
 
+    /// d ln Q/d ln s over the displacement of the last step, of a contact that has not slid; 0 of one that has.
+    pub fn friction_exponent(&self) -> f64 {
+        let [.., before, last] = &self.history[..] else { return 0.0 };
+        if self.history.iter().any(SlideState::slides) {
+            return 0.0;
+        }
+        let start = self.history.iter().rev().find(|state| state.step != last.step);
+        let displacement = last.slip - start.unwrap_or(&self.history[0]).slip;
+        let slope = (last.friction - before.friction) / (last.slip - before.slip);
+        let exponent = (slope * displacement / last.friction).abs();
+        if exponent.is_finite() { exponent } else { 0.0 }
+    }
+
     /// Processor time of the slide by its counts, s.
     pub fn expected_time(&self) -> f64 {
         time_of(self.effort.newton, self.unknowns)

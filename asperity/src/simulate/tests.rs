@@ -120,6 +120,9 @@ fn a_hold_keeps_the_heat_partition_of_the_slip_before() {
     let last = *slip.last().unwrap();
     assert!(slip.len() > 3 && slip[slip.len() - 2] != last, "{slip:?}");
     assert!(hold.len() > 3 && hold.iter().all(|partition| *partition == last), "{hold:?}");
+    // 0.5 a₀ forwards and 0.1 a₀ backwards.
+    let [slip, path] = [Quantity::Slip, Quantity::SlipAccumulated].map(|of| outcome.slide.last(of).unwrap());
+    assert!((path / slip - 1.5).abs() < 1e-12, "{slip:e} {path:e}");
 }
 
 /// Without heat nothing depends on time: a hold of any length leaves the contact as it is.

@@ -77,6 +77,7 @@ quantities! {
     /// ω/ω_c during the press.
     InterferencePress: history("interference_press", "1", "interference over that of first yield", NUMBER).history(Stored::Press, "");
     Slip: history("slip", "m", "slip: displacement of the flat since the end of the press", LENGTH);
+    SlipAccumulated: history("slip_accumulated", "m", "path of the flat since the end of the press, forwards and backwards", LENGTH);
     /// ω/ω_c during the slide; it changes under load control.
     Interference: history("interference", "1", "interference over that of first yield", NUMBER);
     Time: history("time", "s", "time since the start of the slide", (2, (1, -1)));

@@ -26,7 +26,7 @@ Progress = Union[bool, None, Callable[[str, float, str], Any]]
 
 
 class Given(NamedTuple):
-    """A document for the compiled module: kind is "path", "toml" or "json"."""
+    """A document for the compiled module: kind is "path", "text" or "dict", the latter two as TOML."""
 
     kind: str
     content: str
@@ -37,34 +37,44 @@ class Given(NamedTuple):
 
 
 def given(document: Document) -> Given:
-    """The document with its kind; a text of several lines or with a ``=`` is TOML, any other a path."""
+    """The document with its kind; a text of several lines, or with a ``=`` and not the name of a TOML file, is TOML."""
     if isinstance(document, Mapping):
-        return Given("json", json.dumps(_without_none(document), default=_plain))
-    if isinstance(document, str) and ("\n" in document or "=" in document):
-        return Given("toml", document)
+        return Given("dict", "".join(f"{_toml(key)} = {_toml(value)}\n" for key, value in _entries(document)))
+    if isinstance(document, str) and ("\n" in document or "=" in document and not document.endswith(".toml")):
+        return Given("text", document)
     if isinstance(document, (str, os.PathLike)):
         return Given("path", os.fspath(document))
     raise TypeError(f"a dict, TOML text or a path is needed, not {type(document).__name__}")
 
 
-def _without_none(value: Any) -> Any:
-    """TOML has no None: such keys are left out."""
-    if isinstance(value, Mapping):
-        return {key: _without_none(item) for key, item in value.items() if item is not None}
-    return value
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, (np.ndarray, np.generic)):
-        return value.tolist()
-    if isinstance(value, os.PathLike):
-        return os.fspath(value)
-    raise TypeError(f"{type(value).__name__} has no equivalent in TOML")
-
-
 def overrides(values: Mapping[str, Any] | None) -> list[str]:
     """Values by key as the option ``--set`` of the programs takes them."""
-    return [f"{key}={json.dumps(value, default=_plain)}" for key, value in (values or {}).items()]
+    return [f"{key}={_toml(value)}" for key, value in _entries(values or {})]
+
+
+def _entries(values: Mapping[str, Any]) -> list[tuple[str, Any]]:
+    """TOML has no None: such keys are left out."""
+    return [(key, value) for key, value in values.items() if value is not None]
+
+
+def _toml(value: Any) -> str:
+    """As a TOML value on one line."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, float):
+        # Python and TOML write numbers alike, inf and nan too.
+        return repr(value)
+    if isinstance(value, (str, os.PathLike)):
+        return json.dumps(os.fspath(value), ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{_toml(key)} = {_toml(item)}" for key, item in _entries(value)) + " }"
+    if isinstance(value, Sequence):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    raise TypeError(f"{type(value).__name__} has no equivalent in TOML")
 
 
 def numbers(values: Numbers | None) -> str | list[float] | None:

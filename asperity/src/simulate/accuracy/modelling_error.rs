@@ -64,6 +64,8 @@ pub struct ModellingError {
     pub slide_coupling: f64,
     /// a/R times the shares of the elastic compliance of the counterface, which is a half-space, and of elasticity in the load.
     pub finite_counterface: f64,
+    /// d ln Q/d ln s of a contact in partial slip: friction at a displacement then depends on the tangential compliance.
+    pub friction_exponent: f64,
     /// Bounds where shear localises in one layer of elements: values follow the mesh.
     pub localised_shear: Option<&'static localised_shear::Bounds>,
 }
@@ -101,13 +103,17 @@ impl ModellingError {
                 Area | Friction | FrictionStatic => AREA_OF_SLIDE,
                 _ => 0.0,
             };
+        let in_partial_slip = SLIP_OF_HEMISPHERE * self.friction_exponent;
         let hemisphere = self.finite_counterface
             * match quantity {
                 Load | LoadPress => LOAD_OF_HEMISPHERE,
                 EnergyRelease | InceptionSlip => SLIP_OF_HEMISPHERE,
-                Area | AreaPress | Friction | FrictionStatic => AREA_OF_HEMISPHERE,
+                Area | AreaPress => AREA_OF_HEMISPHERE,
+                Friction | FrictionStatic => AREA_OF_HEMISPHERE + in_partial_slip,
                 // The excess of the area is in the friction, and makes up for a part of that of the load.
-                Mu | MuStatic | MuPeak | MuMean | MuSteady => LOAD_OF_HEMISPHERE - AREA_OF_HEMISPHERE,
+                Mu | MuStatic | MuPeak | MuMean | MuSteady => {
+                    LOAD_OF_HEMISPHERE - AREA_OF_HEMISPHERE + in_partial_slip
+                }
                 ContactRadius => 0.5 * AREA_OF_HEMISPHERE,
                 _ => 0.0,
             };
