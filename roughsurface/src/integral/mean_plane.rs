@@ -7,7 +7,6 @@
 use crate::integral::separation::SeparationError;
 use crate::integral::surface_integral::SurfaceIntegral;
 use crate::root_finding::{Accuracy, root_between};
-use crate::surface::heights::Heights;
 use crate::surface::query::Interaction;
 use tables::law::{AsperityLaw, Estimate};
 
@@ -51,14 +50,12 @@ impl MeanPlane {
         1.0 + self.compliance * (slope * pressure).abs()
     }
 
-    /// The effective separation (m) of a flat at `separation` (m) from the undisplaced plane, to a `tolerance` in
-    /// standard deviations of the heights. It is unique, as the pressure falls with it.
+    /// The effective separation (m) of a flat at `separation` (m) from the undisplaced plane, to the tolerance of the
+    /// integral in standard deviations of the heights. It is unique, as the pressure falls with it.
     pub fn effective_separation(
         self,
         integral: &mut SurfaceIntegral,
-        heights: &dyn Heights,
         separation: f64,
-        tolerance: f64,
     ) -> Result<f64, SeparationError> {
         if self.compliance == 0.0 {
             return Ok(separation);
@@ -67,9 +64,8 @@ impl MeanPlane {
         if farthest == separation {
             return Ok(separation);
         }
-        let std = heights.standard_deviation();
         let width = 4.0 * f64::EPSILON * separation.abs().max(farthest.abs());
-        let accuracy = Accuracy { value: tolerance * std, width };
+        let accuracy = Accuracy { value: integral.tolerance() * integral.standard_deviation(), width };
         let found = root_between(separation, farthest, accuracy, |effective| {
             let pressure = integral.at(effective)?.pressure.value;
             Ok::<_, SeparationError>(effective - separation - self.compliance * pressure)
@@ -134,7 +130,7 @@ mod tests {
                 let separation = place * sigma;
                 let at = zero * (-place).exp() * square() * nominal_size / (STEEL.contact_modulus() * sigma);
                 let exact = separation + sigma * puruspe::lambert_w0(at);
-                let found = plane.effective_separation(&mut integral, &heights, separation, 1e-12).unwrap();
+                let found = plane.effective_separation(&mut integral, separation).unwrap();
                 assert!((found - exact).abs() < 1e-9 * sigma, "{nominal_size} {place}: {found:e} {exact:e}");
             }
         }

@@ -4,7 +4,6 @@ use crate::integral::contact_state::ContactState;
 use crate::integral::predictor::{Predictor, SHARED_UNCERTAINTY, Sensitivity};
 use crate::integral::surface_integral::SurfaceIntegral;
 use crate::root_finding::{Accuracy, root_between};
-use crate::surface::heights::Heights;
 use tables::law::LookupError;
 
 /// Reason why no separation has the given pressure.
@@ -37,24 +36,19 @@ pub struct EquilibriumState {
 
 impl EquilibriumState {
     /// The state at `separation` (m), with its sensitivity to separation.
-    pub fn at(
-        integral: &mut SurfaceIntegral,
-        heights: &dyn Heights,
-        separation: f64,
-    ) -> Result<Self, LookupError> {
+    pub fn at(integral: &mut SurfaceIntegral, separation: f64) -> Result<Self, LookupError> {
         let state = integral.at(separation)?;
-        Self::with_own_sensitivity(integral, heights, separation, state)
+        Self::with_own_sensitivity(integral, separation, state)
     }
 
     fn with_own_sensitivity(
         integral: &mut SurfaceIntegral,
-        heights: &dyn Heights,
         separation: f64,
         mut state: ContactState,
     ) -> Result<Self, LookupError> {
         integral.complete_errors(separation, &mut state)?;
         // Wide against the rounding of the integrals, narrow against their curvature.
-        let step = -1e-4 * heights.standard_deviation();
+        let step = -1e-4 * integral.standard_deviation();
         let closer = integral.at(separation + step)?;
         let sensitivity = Sensitivity::between(&state, &closer, step);
         Ok(Self { separation, state, sensitivity, own_sensitivity: true })
@@ -83,7 +77,7 @@ const SENSITIVITY_STEP: std::ops::Range<f64> = 1e-5..0.02;
 /// Number of secant steps after which the bracketing method is used.
 const SECANT_STEPS: usize = 8;
 
-/// Finds the separation at which the nominal pressure is `pressure` (Pa) to a relative `tolerance`,
+/// Finds the separation at which the nominal pressure is `pressure` (Pa) to the tolerance of the integral,
 /// starting from a predictor.
 ///
 /// ln p falls almost linearly with separation, so that a secant in ln p from a neighbouring state takes a
@@ -91,12 +85,10 @@ const SECANT_STEPS: usize = 8;
 /// bracketing method is used.
 pub fn separation_for(
     integral: &mut SurfaceIntegral,
-    heights: &dyn Heights,
     pressure: f64,
     predictor: Predictor,
-    tolerance: f64,
 ) -> Result<EquilibriumState, SeparationError> {
-    let longest = 2.0 * heights.standard_deviation();
+    let (tolerance, longest) = (integral.tolerance(), 2.0 * integral.standard_deviation());
     let (mut here, mut slope) = (predictor.separation, predictor.slope);
     let mut last: Option<(f64, f64, ContactState)> = None;
     for _ in 0..SECANT_STEPS {
@@ -115,7 +107,7 @@ pub fn separation_for(
             let step = step.filter(|(step, _)| SENSITIVITY_STEP.contains(&(step.abs() / longest)));
             let own = step.map(|(step, beside)| Sensitivity::between(&state, &beside, step));
             let Some(sensitivity) = own.or(predictor.sensitivity) else {
-                return Ok(EquilibriumState::with_own_sensitivity(integral, heights, here, state)?);
+                return Ok(EquilibriumState::with_own_sensitivity(integral, here, state)?);
             };
             let own_sensitivity = own.is_some();
             let mut found = EquilibriumState { separation: here, state, sensitivity, own_sensitivity };
@@ -132,7 +124,7 @@ pub fn separation_for(
         last = Some((here, excess, state));
         here -= (excess / slope).clamp(-longest, longest);
     }
-    bracketed(integral, heights, pressure, predictor.separation, tolerance)
+    bracketed(integral, pressure, predictor.separation)
 }
 
 /// A state so near to equilibrium that one step with a shared sensitivity is as accurate as a new integral.
@@ -159,16 +151,14 @@ const NO_PRESSURE: f64 = 1e3;
 /// As [`separation_for`], by a bracket around `start` (m).
 fn bracketed(
     integral: &mut SurfaceIntegral,
-    heights: &dyn Heights,
     pressure: f64,
     start: f64,
-    tolerance: f64,
 ) -> Result<EquilibriumState, SeparationError> {
+    let (tolerance, std) = (integral.tolerance(), integral.standard_deviation());
     let mut excess = |separation: f64| -> Result<f64, LookupError> {
         let excess = (integral.at(separation)?.pressure.value / pressure).ln();
         Ok(excess.clamp(-NO_PRESSURE, NO_PRESSURE))
     };
-    let std = heights.standard_deviation();
     let value = excess(start)?;
     let (mut closer, mut farther) = ((start, value), (start, value));
     let mut stride = 0.25 * std;
@@ -190,7 +180,7 @@ fn bracketed(
     let accuracy = Accuracy { value: tolerance, width };
     let found = root_between(closer.0, farther.0, accuracy, excess)?;
     let not_found = SeparationError::NotFound { pressure, from: closer.0, to: farther.0 };
-    Ok(EquilibriumState::at(integral, heights, found.ok_or(not_found)?)?)
+    Ok(EquilibriumState::at(integral, found.ok_or(not_found)?)?)
 }
 
 #[cfg(test)]
@@ -199,7 +189,7 @@ mod tests {
     use crate::integral::asperity_at_slip::AsperityAtSlip;
     use crate::integral::height_integral::HeightIntegral;
     use crate::integral::test_laws::PowerLaw;
-    use crate::surface::heights::{Exponential, Gaussian, Sample, Uniform};
+    use crate::surface::heights::{Exponential, Gaussian, Heights, Sample, Uniform};
 
     #[test]
     fn the_separation_of_a_pressure_is_found_again() {
@@ -217,8 +207,8 @@ mod tests {
                 let wanted = place * std;
                 let pressure = integral.at(wanted).unwrap().pressure.value;
                 for found in [
-                    separation_for(&mut integral, heights, pressure, origin, 1e-12).unwrap(),
-                    bracketed(&mut integral, heights, pressure, 0.0, 1e-12).unwrap(),
+                    separation_for(&mut integral, pressure, origin).unwrap(),
+                    bracketed(&mut integral, pressure, 0.0).unwrap(),
                 ] {
                     // d(ln p)/dd is of order 1/std, so 1e-12 in ln p is 1e-12 std in d; a factor of 100
                     // for the flat ends.
@@ -237,7 +227,7 @@ mod tests {
         let mut integral =
             SurfaceIntegral::of_classes(vec![(1.0, HeightIntegral::new(asperity, &heights, 1e10, 1e-10))]);
         let origin = Predictor::at(0.0, &heights);
-        let found = separation_for(&mut integral, &heights, 1e-3, origin, 1e-10).unwrap();
+        let found = separation_for(&mut integral, 1e-3, origin).unwrap();
         assert!(found.separation < 2.5e-6 && found.separation > 2.4e-6);
         // The interference is 1e-14 m of a height of 2.5e-6 m: eight digits are left.
         assert!((found.state.pressure.value - 1e-3).abs() < 1e-10);

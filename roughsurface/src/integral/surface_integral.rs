@@ -32,6 +32,16 @@ impl<'a> SurfaceIntegral<'a> {
         asperities.map(|asperity| HeightIntegral::new(asperity.clone(), heights, asperity_density, tolerance))
     }
 
+    /// Relative error to which it is computed.
+    pub fn tolerance(&self) -> f64 {
+        self.classes[0].1.tolerance
+    }
+
+    /// Standard deviation of the heights, m, which is that of every radius.
+    pub fn standard_deviation(&self) -> f64 {
+        self.classes[0].1.heights.standard_deviation()
+    }
+
     /// The state at `separation` (m).
     pub fn at(&mut self, separation: f64) -> Result<ContactState, LookupError> {
         sum(&mut self.classes, separation)

@@ -86,22 +86,21 @@ impl<'a> Sweep<'a> {
     }
 
     pub(crate) fn press(&self, row: usize, rate: usize) -> Result<Pressed, PredictionError> {
-        let (heights, tolerance) = (self.surface.heights.as_ref(), self.settings.tolerance);
         let asperities = self.asperities[rate].map(|asperity| asperity.with(Additional::EnergyRelease));
         let mut integral = self.integral(&asperities);
         let (equilibrium, at_rest, pressure, held, shift) = match &self.query.loading {
             NormalLoading::Pressure(pressures) => {
                 let pressure = Estimate::exact(pressures[row]);
+                let heights = self.surface.heights.as_ref();
                 let predictor = Predictor::at(heights.mode(), heights);
-                let found = separation_for(&mut integral, heights, pressure.value, predictor, tolerance)?;
+                let found = separation_for(&mut integral, pressure.value, predictor)?;
                 let at_rest = SlipState::at_pressure(&found, pressure, self.plane);
                 let held = HeldSeparation::found(&found, pressure.value);
                 (found, at_rest, pressure, held, found.separation_error(pressure.value))
             }
             NormalLoading::Separation(separations) => {
-                let effective =
-                    self.plane.effective_separation(&mut integral, heights, separations[row], tolerance)?;
-                let found = EquilibriumState::at(&mut integral, heights, effective)?;
+                let effective = self.plane.effective_separation(&mut integral, separations[row])?;
+                let found = EquilibriumState::at(&mut integral, effective)?;
                 let held = HeldSeparation::default();
                 let at_rest = SlipState::held(&found, held, self.plane);
                 let pressure = found.state.pressure.estimate();
@@ -178,17 +177,16 @@ impl<'a> Sweep<'a> {
         before: &Pressed,
         history: &mut PredictorHistory,
     ) -> Result<SlipState, PredictionError> {
-        let (heights, tolerance) = (self.surface.heights.as_ref(), self.settings.tolerance);
         let state = match self.query.control {
             LoadingControl::Separation => {
                 let (separation, held) = before.separation;
-                let effective = self.plane.effective_separation(integral, heights, separation, tolerance)?;
-                let equilibrium = EquilibriumState::at(integral, heights, effective)?;
+                let effective = self.plane.effective_separation(integral, separation)?;
+                let equilibrium = EquilibriumState::at(integral, effective)?;
                 SlipState::held(&equilibrium, held, self.plane)
             }
             LoadingControl::Load => {
                 let asked = before.pressure.value;
-                let equilibrium = separation_for(integral, heights, asked, history.next(), tolerance)?;
+                let equilibrium = separation_for(integral, asked, history.next())?;
                 history.add(equilibrium.predictor(), equilibrium.own_sensitivity);
                 SlipState::at_pressure(&equilibrium, before.pressure, self.plane)
             }

@@ -37,9 +37,9 @@ const FIRST_PANEL: f64 = 1.0;
 /// Summits of a surface at one slip rate and slip, for any separation.
 pub struct HeightIntegral<'a> {
     asperity: AsperityAtSlip<'a>,
-    heights: &'a dyn Heights,
+    pub(super) heights: &'a dyn Heights,
     asperity_density: f64,
-    tolerance: f64,
+    pub(super) tolerance: f64,
     /// Panels that every separation shares, and those between edges of the density.
     kept: PanelTree,
     passing: PanelTree,

@@ -115,10 +115,8 @@ fn predictors(laws: &[LawAtRate], surface: &Surface, query: &Query, settings: &S
             predictor = match query.loading {
                 NormalLoading::Separation(_) => Predictor::at(value, heights),
                 // A drawn surface may have an equilibrium where the infinite one has none.
-                NormalLoading::Pressure(_) => {
-                    separation_for(&mut integral, heights, value, predictor, settings.tolerance)
-                        .map_or(predictor, |equilibrium| equilibrium.predictor())
-                }
+                NormalLoading::Pressure(_) => separation_for(&mut integral, value, predictor)
+                    .map_or(predictor, |equilibrium| equilibrium.predictor()),
             };
             predictors.push(Predictor { sensitivity: None, ..predictor });
         }

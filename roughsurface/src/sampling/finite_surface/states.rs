@@ -85,34 +85,30 @@ impl Summits<'_> {
         (value, plane): (f64, MeanPlane),
         tolerance: f64,
     ) -> Result<(f64, ContactState), PredictionError> {
-        let heights = self.heights;
         let mut before = self.integral(&law.before, tolerance);
         let mut after = self.integral(&law.after, tolerance);
-        let find = |integral: &mut SurfaceIntegral, pressure: f64| {
-            separation_for(integral, heights, pressure, predictor, tolerance)
-        };
         if query.control == LoadingControl::Separation {
             let separation = match query.loading {
                 NormalLoading::Separation(_) => value,
                 NormalLoading::Pressure(_) => {
                     let displacement = plane.displacement(Estimate::exact(value));
-                    find(&mut before, value)?.separation - displacement.value
+                    separation_for(&mut before, value, predictor)?.separation - displacement.value
                 }
             };
-            let effective = plane.effective_separation(&mut after, heights, separation, tolerance)?;
+            let effective = plane.effective_separation(&mut after, separation)?;
             return Ok((effective, after.at(effective)?));
         }
         let pressure = match query.loading {
             NormalLoading::Pressure(_) => value,
             NormalLoading::Separation(_) => {
-                let effective = plane.effective_separation(&mut before, heights, value, tolerance)?;
+                let effective = plane.effective_separation(&mut before, value)?;
                 before.at(effective)?.pressure.value
             }
         };
         if pressure <= 0.0 {
             return Ok((value, ContactState::default()));
         }
-        let equilibrium = find(&mut after, pressure)?;
+        let equilibrium = separation_for(&mut after, pressure, predictor)?;
         Ok((equilibrium.separation, equilibrium.state))
     }
 }
