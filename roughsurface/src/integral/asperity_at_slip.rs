@@ -57,19 +57,14 @@ pub struct AsperityAtSlip<'a> {
 }
 
 impl<'a> AsperityAtSlip<'a> {
-    /// Spheres of `radius` (m) that have slid by `slip` (m) at `slip_rate` (m/s).
-    pub fn new(
-        law: &'a dyn AsperityLaw,
-        radius: f64,
-        slip_rate: f64,
-        slip: f64,
-    ) -> Result<Self, LookupError> {
+    /// Spheres of `radius` (m) that slide at `slip_rate` (m/s), before the slide.
+    pub fn new(law: &'a dyn AsperityLaw, radius: f64, slip_rate: f64) -> Result<Self, LookupError> {
         Ok(Self {
             law,
             sliding: Arc::new(law.at_slip_rate(radius, slip_rate)?),
             radius,
             slip_rate,
-            age: Age::Slip(slip),
+            age: Age::Slip(0.0),
             limit: law.interference_limit(),
             contact_limit: law.contact_limit(),
             additional: Additional::None,
@@ -308,13 +303,12 @@ fn where_stated(answer: OptionalEstimate) -> Estimate {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::integral::test_laws::PowerLaw;
+    use crate::integral::test_laws::{PowerLaw, asperity};
 
     /// Friction of a contact of unit interference over that of the law without a history, averaged over `diameters`.
     fn aged(history: fn(f64, f64, f64) -> f64, diameters: f64) -> Estimate {
         let law = PowerLaw { history, ..PowerLaw::hertz() };
-        let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
-        let found = asperity.of_all_ages(ContactLife::Diameters(diameters)).response(1.0).unwrap();
+        let found = asperity(&law).of_all_ages(ContactLife::Diameters(diameters)).response(1.0).unwrap();
         assert!((found.load.value / law.load.0 - 1.0).abs() < 1e-14);
         found.friction.scaled(1.0 / law.friction.0)
     }
@@ -336,8 +330,7 @@ mod tests {
     fn errors_of_all_ages_are_those_of_the_law() {
         // Independent errors of 1 % of load and friction at every age.
         let law = PowerLaw { relative_error: 0.01, ..PowerLaw::hertz() };
-        let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
-        let mean = asperity.of_all_ages(ContactLife::Diameters(1.0)).response(2.0).unwrap();
+        let mean = asperity(&law).of_all_ages(ContactLife::Diameters(1.0)).response(2.0).unwrap();
         assert!((mean.coefficient_error - 0.02).abs() < 1e-12, "{mean:?}");
         assert!((mean.friction.error / mean.friction.value - 0.01).abs() < 1e-12, "{mean:?}");
     }
@@ -347,8 +340,7 @@ mod tests {
         let history = |_: f64, slip: f64, radius: f64| 0.2 + 0.4 * (-slip / radius).exp();
         let steady = Some(Estimate { value: 0.02, error: 0.001 });
         let law = PowerLaw { history, last_slip: 2.0, steady, ..PowerLaw::hertz() };
-        let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
-        let of = |life| asperity.of_all_ages(life).with(Additional::UnsteadyLoad);
+        let of = |life| asperity(&law).of_all_ages(life).with(Additional::UnsteadyLoad);
         let response = |life| of(life).response(1.0).unwrap();
         // P = 1 mN at ω_c.
         let lasting = response(ContactLife::Steady);
@@ -360,8 +352,7 @@ mod tests {
         assert!((mean.friction.value - exact).abs() < 1e-12 * exact, "{mean:?}");
 
         let unsteady = |law: &PowerLaw, life| {
-            let asperity = AsperityAtSlip::new(law, 1e-4, 1.0, 0.0).unwrap().of_all_ages(life);
-            let asperity = asperity.with(Additional::UnsteadyLoad);
+            let asperity = asperity(law).of_all_ages(life).with(Additional::UnsteadyLoad);
             let load = asperity.additional(1.0, &asperity.response(1.0).unwrap()).unwrap().value;
             (load / 1e-3, asperity.has_friction_of_all_ages())
         };

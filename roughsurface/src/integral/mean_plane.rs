@@ -77,10 +77,9 @@ impl MeanPlane {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::integral::asperity_at_slip::AsperityAtSlip;
-    use crate::integral::height_integral::HeightIntegral;
-    use crate::integral::test_laws::STEEL;
+    use crate::integral::test_laws::{STEEL, asperity};
     use crate::surface::heights::Exponential;
+    use crate::surface::radii::ByRadius;
     use tables::closed_forms::closed_form;
 
     /// Mean of Boussinesq's displacement p/(π E* r) over a unit square of `n` by `n` cells of uniform pressure, each
@@ -119,9 +118,8 @@ mod tests {
         let law = closed_form("hertz", &STEEL).unwrap();
         let (density, radius, sigma) = (1e9, 1e-4, 1e-9);
         let heights = Exponential::new(sigma);
-        let asperity = AsperityAtSlip::new(law.as_ref(), radius, 1.0, 0.0).unwrap();
-        let mut integral =
-            SurfaceIntegral::of_classes(vec![(1.0, HeightIntegral::new(asperity, &heights, density, 1e-12))]);
+        let asperities = ByRadius::of_classes(vec![(1.0, asperity(law.as_ref()))]);
+        let mut integral = SurfaceIntegral::new(&asperities, &heights, density, 1e-12);
         let zero =
             density * std::f64::consts::PI.sqrt() * STEEL.contact_modulus() * (radius * sigma).sqrt() * sigma;
         for nominal_size in [1e-7, 1e-5, 1e-3, 1e-2] {

@@ -164,8 +164,7 @@ impl SteppedContact<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::integral::asperity_at_slip::AsperityAtSlip;
-    use crate::integral::test_laws::PowerLaw;
+    use crate::integral::test_laws::{PowerLaw, asperity};
     use crate::surface::query::ContactLife;
 
     const LENGTH: f64 = 1e-6;
@@ -215,7 +214,7 @@ mod tests {
                 area: (1e-11, 1.0),
                 ..PowerLaw::hertz()
             };
-            let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
+            let asperity = asperity(&law);
             let steady = asperity.of_all_ages(ContactLife::Diameters(1.0)).response(1.0).unwrap();
             let stepping = asperity.stepping_from(1.0, 1.0).unwrap();
             for since in [0.0, 1e-6, 3e-6] {

@@ -186,22 +186,18 @@ fn bracketed(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::integral::asperity_at_slip::AsperityAtSlip;
-    use crate::integral::height_integral::HeightIntegral;
-    use crate::integral::test_laws::PowerLaw;
+    use crate::integral::test_laws::{PowerLaw, asperity};
     use crate::surface::heights::{Exponential, Gaussian, Heights, Sample, Uniform};
+    use crate::surface::radii::ByRadius;
 
     #[test]
     fn the_separation_of_a_pressure_is_found_again() {
         let law = PowerLaw::hertz();
-        let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
+        let asperities = ByRadius::of_classes(vec![(1.0, asperity(&law))]);
         let std = 1e-6;
         let heights: [&dyn Heights; 3] = [&Gaussian::new(std), &Exponential::new(std), &Uniform::new(std)];
         for heights in heights {
-            let mut integral = SurfaceIntegral::of_classes(vec![(
-                1.0,
-                HeightIntegral::new(asperity.clone(), heights, 1e10, 1e-12),
-            )]);
+            let mut integral = SurfaceIntegral::new(&asperities, heights, 1e10, 1e-12);
             let origin = Predictor::at(0.0, heights);
             for place in [-3.0, -0.5, 0.1, 1.0, 1.6] {
                 let wanted = place * std;
@@ -222,10 +218,9 @@ mod tests {
     #[test]
     fn the_highest_of_a_few_measured_heights_carries_a_light_load() {
         let law = PowerLaw::hertz();
-        let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
+        let asperities = ByRadius::of_classes(vec![(1.0, asperity(&law))]);
         let heights = Sample::new(vec![0.0, 1e-6, 2.5e-6]).unwrap();
-        let mut integral =
-            SurfaceIntegral::of_classes(vec![(1.0, HeightIntegral::new(asperity, &heights, 1e10, 1e-10))]);
+        let mut integral = SurfaceIntegral::new(&asperities, &heights, 1e10, 1e-10);
         let origin = Predictor::at(0.0, &heights);
         let found = separation_for(&mut integral, 1e-3, origin).unwrap();
         assert!(found.separation < 2.5e-6 && found.separation > 2.4e-6);

@@ -14,7 +14,7 @@ pub type Asperities<'a> = ByRadius<AsperityAtSlip<'a>>;
 impl<'a> Asperities<'a> {
     /// Asperities of `surface` that slide at `slip_rate` (m/s), before the slide.
     pub fn new(law: &'a dyn AsperityLaw, surface: &Surface, slip_rate: f64) -> Result<Self, LookupError> {
-        surface.asperity_radius.try_map(|&radius| AsperityAtSlip::new(law, radius, slip_rate, 0.0))
+        surface.asperity_radius.try_map(|&radius| AsperityAtSlip::new(law, radius, slip_rate))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Laws of one asperity with exact integrals, for tests.
 
+use crate::integral::asperity_at_slip::AsperityAtSlip;
 use crate::surface::heights::Heights;
 use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use tables::closed_forms::ElasticPlastic;
@@ -7,6 +8,11 @@ use tables::law::{AsperityLaw, Estimate, LookupError, OptionalEstimate, Response
 
 pub const STEEL: ElasticPlastic =
     ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
+
+/// Spheres of 0.1 mm at 1 m/s, before the slide.
+pub fn asperity(law: &dyn AsperityLaw) -> AsperityAtSlip<'_> {
+    AsperityAtSlip::new(law, 1e-4, 1.0).unwrap()
+}
 
 /// Summits of 0.1 mm, 1e10 a square metre.
 pub fn surface(heights: Box<dyn Heights>) -> Surface {

@@ -2,7 +2,7 @@
 //! heights, Kogut–Etsion asperities.
 
 use super::*;
-use crate::integral::test_laws::{PowerLaw, STEEL};
+use crate::integral::test_laws::{PowerLaw, STEEL, asperity};
 use crate::surface::heights::{Exponential, Gaussian, LogNormal, TruncatedGaussian, Uniform, Weibull};
 use tables::closed_forms::closed_form;
 
@@ -11,9 +11,7 @@ const STD: f64 = 1e-6;
 /// ∫ (z−h)^n φ(z) dz of standard heights, through the load integral.
 fn moment(heights: &dyn Heights, exponent: f64, h: f64, critical: f64) -> f64 {
     let law = PowerLaw { load: (1.0, exponent), critical, ..PowerLaw::hertz() };
-    let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
-    let mut integral = HeightIntegral::new(asperity.clone(), heights, 1.0, 1e-13);
-    let state = integral.at(h * STD).unwrap();
+    let state = HeightIntegral::new(asperity(&law), heights, 1.0, 1e-13).at(h * STD).unwrap();
     state.pressure.value * (critical / STD).powf(exponent)
 }
 
@@ -100,7 +98,7 @@ fn ten_digits_at_gross_slip_and_at_the_end_of_a_slide() {
     for name in ["jackson-green", "brizmer", "kogut-etsion"] {
         let law = closed_form(name, &STEEL).unwrap();
         for slip in [1e-10, 1e-9, 1e-8] {
-            let asperity = AsperityAtSlip::new(law.as_ref(), 1e-4, 1.0, slip).unwrap();
+            let asperity = asperity(law.as_ref()).after(slip);
             let at = |tolerance: f64| {
                 HeightIntegral::new(asperity.clone(), &heights, 1e10, tolerance).at(0.1e-6).unwrap()
             };
@@ -188,8 +186,7 @@ fn kogut_etsion_asperities_with_exponential_heights() {
             |coefficient: f64| 0.75f64.sqrt() / coefficient * exact(&area) / exact(&load_of(coefficient));
         assert_close(ratio(exact_yield), published_mu, 2e-5, "reference");
         let heights = Exponential::new(critical * psi * psi);
-        let asperity = AsperityAtSlip::new(law.as_ref(), radius, 1.0, 1.0).unwrap();
-        let mut integral = HeightIntegral::new(asperity.clone(), &heights, 1.0, 1e-12);
+        let mut integral = HeightIntegral::new(asperity(law.as_ref()).after(1.0), &heights, 1.0, 1e-12);
         let mut first: Option<f64> = None;
         for h in [0.0, 0.7, 3.0, 12.0] {
             let state = integral.at(h * heights.standard_deviation()).unwrap();
@@ -212,12 +209,10 @@ fn load_beyond_the_largest_contact_is_counted_and_continued() {
     // ∫_x^∞ s·(x^½) e^{-s} ds over the same plus γ(5/2, x), P continued in proportion to ω.
     let law = PowerLaw { limit: 20.0, ..PowerLaw::hertz() };
     let heights = Exponential::new(STD);
-    let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
-    let mut integral = HeightIntegral::new(asperity.clone(), &heights, 1.0, 1e-12);
     let x: f64 = 20.0 * law.critical / STD;
     let beyond = x.sqrt() * (1.0 + x) * (-x).exp();
     let share = beyond / (beyond + incomplete_gamma(2.5, x));
-    let state = integral.at(STD).unwrap();
+    let state = HeightIntegral::new(asperity(&law), &heights, 1.0, 1e-12).at(STD).unwrap();
     assert_close(state.outside, share, 1e-10, "share");
     assert_eq!(state.outside, state.beyond);
 }
@@ -230,11 +225,9 @@ fn a_large_measured_set_approaches_its_parent() {
     let quantiles = (0..count).map(|i| -STD * ((f64::from(i) + 0.5) / f64::from(count)).ln());
     let sample = Sample::new(quantiles.collect()).unwrap();
     let law = PowerLaw::hertz();
-    let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
-    let parent = Exponential::new(STD);
-    let mut exact = HeightIntegral::new(asperity.clone(), &parent, 1.0, 1e-12);
-    let mut summed = HeightIntegral::new(asperity.clone(), &sample, 1.0, 1e-12);
-    let (exact, summed) = (exact.at(STD).unwrap(), summed.at(STD).unwrap());
+    let at =
+        |heights: &dyn Heights| HeightIntegral::new(asperity(&law), heights, 1.0, 1e-12).at(STD).unwrap();
+    let (exact, summed) = (at(&Exponential::new(STD)), at(&sample));
     assert_close(summed.pressure.value, exact.pressure.value, 1e-3, "load");
     assert_close(summed.contact_density, exact.contact_density, 1e-3, "number");
 }
