@@ -55,6 +55,14 @@
 //!
 //! Not modelled: merging of contacts, interaction of asperities beyond their mean pressure, adhesion.
 
+/// Of the warnings that match a pattern, for tests: an iterator over what is written behind it.
+#[cfg(test)]
+macro_rules! matching {
+    ($warnings:expr, $pattern:pat => $value:expr) => {
+        $warnings.iter().filter_map(|warning| if let $pattern = warning { Some($value) } else { None })
+    };
+}
+
 pub mod friction;
 pub mod integral;
 pub mod output;

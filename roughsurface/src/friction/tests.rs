@@ -192,10 +192,7 @@ fn few_heights_of_a_sample_in_contact_are_named() {
     let few = |separation: f64| {
         let query = query(NormalLoading::Separation(vec![separation]));
         let found = of_query(&PowerLaw::hertz(), &surface, &query).unwrap();
-        found.warnings.into_iter().find_map(|warning| match warning {
-            Warning::FewContacts { count, .. } => Some(count),
-            _ => None,
-        })
+        matching!(found.warnings, Warning::FewContacts { count, .. } => *count).next()
     };
     assert!(few(1e-6).is_some_and(|count| (count - 1.0).abs() < 1e-9), "{:?}", few(1e-6));
     assert_eq!(few(0.0), None);
@@ -277,11 +274,8 @@ fn static_friction_of_slides_that_end_in_stick_is_unknown() {
     assert!(cell.mu_history[1].value > 0.0 && cell.mu_history.last().unwrap().value.is_nan());
     // P ∝ x^{3/2}, mean of x = ω/ω_c 10.
     let share = 1.0 - statrs::function::gamma::gamma_lr(2.5, 0.2);
-    let warned = found.warnings.iter().find_map(|warning| match warning {
-        Warning::NotSliding { share, .. } => Some(*share),
-        _ => None,
-    });
-    assert!((warned.unwrap() / share - 1.0).abs() < 1e-3, "{warned:?} {share}");
+    let warned = matching!(found.warnings, Warning::NotSliding { share, .. } => *share).next().unwrap();
+    assert!((warned / share - 1.0).abs() < 1e-3, "{warned} {share}");
     let sliding = of(&PowerLaw { stuck_above: f64::INFINITY, ..law });
     assert!(sliding.friction[0][0].mu_static.value > 0.0);
 }

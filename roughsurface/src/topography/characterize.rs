@@ -340,11 +340,8 @@ mod tests {
                 *height += amplitude * (2.0 * std::f64::consts::PI * phase).cos();
             }
             let found = characterize(ground, &options).unwrap();
-            let lay = found.warnings.iter().find_map(|warning| match warning {
-                Warning::Lay { ratio, angle } => Some((*ratio, *angle)),
-                _ => None,
-            });
-            let (ratio, at) = lay.unwrap();
+            let (ratio, at) =
+                matching!(found.warnings, Warning::Lay { ratio, angle } => (*ratio, *angle)).next().unwrap();
             assert!((ratio - 10.0).abs() < 1.5, "{waves:?}: {ratio}");
             let off = (at - angle + 90.0).rem_euclid(180.0) - 90.0;
             assert!(off.abs() < 2.0, "{waves:?}: {at}");
@@ -360,11 +357,8 @@ mod tests {
         let found = characterize(noisy, &options).unwrap();
         let clean = surface.sum(4, 8.0 * found.pixel);
         let exact = 1.0 - clean / found.moments.m4;
-        let share = found.warnings.iter().find_map(|warning| match warning {
-            Warning::Noise { share, .. } => Some(*share),
-            _ => None,
-        });
-        assert!((share.unwrap() - exact).abs() < 0.1, "{share:?} {exact}");
+        let share = matching!(found.warnings, Warning::Noise { share } => *share).next().unwrap();
+        assert!((share - exact).abs() < 0.1, "{share} {exact}");
     }
 
     #[test]

@@ -36,10 +36,7 @@ fn an_interface_stronger_than_the_pressure_is_warned_of() {
     for (psi, is_strong) in [(0.3, true), (0.5, false)] {
         let surface = surface(Box::new(Exponential::new(critical * psi * psi)));
         let found = predicted(law.as_ref(), &surface, &[1e3], &[1.0], LoadingControl::Load).unwrap();
-        let strong = found.warnings.iter().find_map(|warning| match warning {
-            Warning::StrongInterface { friction, .. } => Some(*friction),
-            _ => None,
-        });
+        let strong = matching!(found.warnings, Warning::StrongInterface { friction, .. } => *friction).next();
         let friction = found.friction[0][0].mu_static.value;
         assert_eq!(strong, is_strong.then_some(friction));
     }
@@ -57,11 +54,9 @@ fn contacts_that_hardly_slide_are_warned_of() {
         of_query(&law, &surface, &query).unwrap()
     };
     let lives = |found: &Prediction| {
-        let life = found.warnings.iter().find_map(|warning| match warning {
-            Warning::ShortLife { life, inception, .. } => Some(inception / life),
-            _ => None,
-        });
-        (life, found.friction[0][0].sliding.mu.value)
+        let mut shares =
+            matching!(found.warnings, Warning::ShortLife { life, inception, .. } => inception / life);
+        (shares.next(), found.friction[0][0].sliding.mu.value)
     };
     let (none, sliding) = lives(&found(1.0));
     assert_eq!(none, None);
@@ -82,10 +77,7 @@ fn a_nominal_contact_that_warms_like_its_contacts_is_warned_of() {
         let query = Query { slip_rates: vec![slip_rate], interaction, ..query(loading) };
         let settings = Settings { effusivity: Some(effusivity), ..Settings::default() };
         let found = predict(steel.law.as_ref(), &surface, &query, &settings, &|_, _| ()).unwrap();
-        let length = found.warnings.iter().find_map(|warning| match warning {
-            Warning::NominalHeating { length, .. } => Some(*length),
-            _ => None,
-        });
+        let length = matching!(found.warnings, Warning::NominalHeating { length, .. } => *length).next();
         let cell = &found.friction[0][0];
         let rise = cell.contacts.temperature_mean.unwrap().value - 298.0;
         // The mean over the length of the rise 2 q √(t/π)/e after the time t.
@@ -118,17 +110,11 @@ fn fast_inceptions_and_uncertain_steady_friction_draw_warnings() {
     let settings = Settings { inception_time: Some(4e-8), ..Settings::default() };
     let found = predict(&law, &surface, &query, &settings, &|_, _| ()).unwrap();
     // A mean shear stress of 1e8 Pa: 8 at 0.5 m/s, 4 at 1 m/s.
-    let fast = found.warnings.iter().filter_map(|warning| match warning {
-        Warning::FastInception { at, time } => Some((at.slip_rate, *time)),
-        _ => None,
-    });
-    let fast: Vec<(f64, f64)> = fast.collect();
+    let fast: Vec<(f64, f64)> =
+        matching!(found.warnings, Warning::FastInception { at, time } => (at.slip_rate, *time)).collect();
     assert!(fast.len() == 1 && fast[0].0 == 1.0 && (fast[0].1 - 4.0).abs() < 1e-6, "{fast:?}");
-    let uncertain = found.warnings.iter().filter_map(|warning| match warning {
-        Warning::SteadyUncertain { error, .. } => Some(*error),
-        _ => None,
-    });
-    let uncertain: Vec<f64> = uncertain.collect();
+    let uncertain: Vec<f64> =
+        matching!(found.warnings, Warning::SteadyUncertain { error, .. } => *error).collect();
     assert!(
         uncertain.len() == 2 && uncertain.iter().all(|error| (error - 0.25).abs() < 0.01),
         "{uncertain:?}"
