@@ -101,12 +101,6 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         .map_err(|error| Failure::run(format!("cannot write {}: {error}", path.display())))
 }
 
-pub fn thread_pool(options: &RunOptions) -> Result<rayon::ThreadPool, Failure> {
-    let threads = options.threads.map_or(0, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    pool.map_err(|error| Failure::run(format!("cannot start threads: {error}")))
-}
-
 pub fn command_line() -> String {
     program::command_line("roughsurface")
 }

@@ -2,7 +2,7 @@
 
 use super::common::*;
 use super::input::InputOptions;
-use super::progress::Progress;
+use super::progress::computed;
 use clap::Args;
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use roughsurface::friction::Settings;
@@ -137,11 +137,8 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
         say(format!("note: at their defaults: {}", case.defaults_in_effect(&settings).join(", ")));
     }
     let started = std::time::Instant::now();
-    let progress = Progress::new(display, "slips");
-    let show = |done, total| progress.show(done, total);
-    let computed = thread_pool(&options.run)?.install(|| case.predict(&models, &settings, &show));
-    progress.clear();
-    let results = computed.map_err(case_failure)?;
+    let results = computed(&options.run, display, "slips", |show| case.predict(&models, &settings, show))?;
+    let results = results.map_err(case_failure)?;
     if display.verbose {
         let slip = &results.prediction.slip;
         let (count, first, last) = (slip.len(), slip[1], slip[slip.len() - 1]);

@@ -1,13 +1,31 @@
-//! Progress on stderr.
+//! The computation of a command, with its progress on stderr.
 
-use super::common::Display;
+use super::common::{Display, Failure, RunOptions};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::netcdf::streams::say;
 
+/// Computes in the threads of the options; what is given to `compute` shows how many of `what` are done and in all.
+pub fn computed<T: Send>(
+    options: &RunOptions,
+    display: &Display,
+    what: &'static str,
+    compute: impl FnOnce(&(dyn Fn(usize, usize) + Sync)) -> T + Send,
+) -> Result<T, Failure> {
+    let threads = options.threads.map_or(0, usize::from);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|error| Failure::run(format!("cannot start threads: {error}")))?;
+    let progress = Progress::new(display, what);
+    let result = pool.install(|| compute(&|done, total| progress.show(done, total)));
+    if let Progress::Bar(bar) = progress {
+        bar.finish_and_clear();
+    }
+    Ok(result)
+}
+
 /// A bar on a terminal, a line per tenth in a log, or no output.
-pub enum Progress {
+enum Progress {
     Hidden,
     Bar(ProgressBar),
     /// Name of the counted things, and the tenths shown.
@@ -16,7 +34,7 @@ pub enum Progress {
 
 impl Progress {
     /// A count of `what`; by default only on a terminal.
-    pub fn new(display: &Display, what: &'static str) -> Self {
+    fn new(display: &Display, what: &'static str) -> Self {
         let terminal = std::io::stderr().is_terminal();
         if terminal && !display.quiet {
             let style = ProgressStyle::with_template("{bar:30} {pos} of {len} {msg}, {eta} left");
@@ -26,7 +44,7 @@ impl Progress {
         if display.progress { Self::Lines(what, AtomicUsize::new(0)) } else { Self::Hidden }
     }
 
-    pub fn show(&self, done: usize, total: usize) {
+    fn show(&self, done: usize, total: usize) {
         match self {
             Self::Hidden => {}
             Self::Bar(bar) => {
@@ -39,12 +57,6 @@ impl Progress {
                     say(format!("{done} of {total} {what}"));
                 }
             }
-        }
-    }
-
-    pub fn clear(&self) {
-        if let Self::Bar(bar) = self {
-            bar.finish_and_clear();
         }
     }
 }

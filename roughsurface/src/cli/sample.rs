@@ -2,7 +2,7 @@
 
 use super::common::*;
 use super::input::InputOptions;
-use super::progress::Progress;
+use super::progress::computed;
 use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use roughsurface::friction::Settings;
@@ -55,13 +55,11 @@ pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
     display.printer().warn(Warning::condensed(&of_input));
     display.printer().warn(case.unused_by_samples());
     let settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
-    let progress = Progress::new(display, "surfaces");
-    let show = |done, total| progress.show(done, total);
     let (asperities, realizations) = (options.asperities as usize, options.realizations as usize);
-    let sampled = thread_pool(&options.run)?
-        .install(|| case.sample(asperities, (realizations, options.seed), options.slip, &settings, &show));
-    progress.clear();
-    let samples = sampled.map_err(failure)?;
+    let samples = computed(&options.run, display, "surfaces", |show| {
+        case.sample(asperities, (realizations, options.seed), options.slip, &settings, show)
+    })?;
+    let samples = samples.map_err(failure)?;
     let history = netcdf::history(&command_line());
     let origin = Origin { surface: &case.file.text, table: &case.table, history: &history };
     let saved = save(&options.output, |path| sample_file::write(path, &samples, &origin));
