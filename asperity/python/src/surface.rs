@@ -306,11 +306,12 @@ pub fn sample(
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Samples> {
     let (asperities, realizations, seed) = drawn;
+    let sampling = finite_surface::Sampling { asperities, realizations, seed, slip };
     let settings = question.settings();
     let case = question.case()?;
     let samples = followed(py, threads, progress.as_ref(), |follower| {
         let show = |done, total| follower.counted("surfaces", done, total);
-        case.sample(asperities, (realizations, seed), slip, &settings, &show)
+        case.sample(&sampling, &settings, &show)
     })?;
     let samples = samples.map_err(errors::of_prediction)?;
     Ok(Samples { samples, inputs: named_by(&case.file), surface: case.file.text, table: case.table })

@@ -8,6 +8,7 @@ use clap::builder::{PathBufValueParser, TypedValueParser};
 use roughsurface::friction::Settings;
 use roughsurface::friction::warning::Warning;
 use roughsurface::output::{Origin, sample_file};
+use roughsurface::sampling::finite_surface::Sampling;
 use std::path::PathBuf;
 use tables::netcdf::{self, input::number};
 
@@ -55,10 +56,11 @@ pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
     display.printer().warn(Warning::condensed(&of_input));
     display.printer().warn(case.unused_by_samples());
     let settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
-    let (asperities, realizations) = (options.asperities as usize, options.realizations as usize);
-    let samples = computed(&options.run, display, "surfaces", |show| {
-        case.sample(asperities, (realizations, options.seed), options.slip, &settings, show)
-    })?;
+    let &Sample { asperities, realizations, seed, slip, .. } = options;
+    let (asperities, realizations) = (asperities as usize, realizations as usize);
+    let sampling = Sampling { asperities, realizations, seed, slip };
+    let samples =
+        computed(&options.run, display, "surfaces", |show| case.sample(&sampling, &settings, show))?;
     let samples = samples.map_err(failure)?;
     let history = netcdf::history(&command_line());
     let origin = Origin { surface: &case.file.text, table: &case.table, history: &history };

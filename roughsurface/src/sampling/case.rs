@@ -216,18 +216,15 @@ impl Case {
         measured.summits_at_other_cutoffs().into_iter().filter_map(surface).collect()
     }
 
-    /// Finite surfaces, at `slip` (m) or where [`predict`](Case::predict) ends; `show` is told surfaces done and in all.
+    /// Finite surfaces; `show` is told surfaces done and in all.
     pub fn sample(
         &self,
-        asperities: usize,
-        (realizations, seed): (usize, u64),
-        slip: Option<f64>,
+        sampling: &Sampling,
         settings: &Settings,
         show: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Samples, PredictionError> {
         let (law, surface, query) = (self.source.law.as_ref(), &self.file.surface, &self.file.query);
-        let sampling = Sampling { asperities, realizations, seed, slip };
-        let mut samples = sample(law, surface, query, &sampling, settings, show)?;
+        let mut samples = sample(law, surface, query, sampling, settings, show)?;
         samples.warnings.splice(..0, self.warnings());
         Ok(samples)
     }

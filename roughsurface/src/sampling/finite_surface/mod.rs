@@ -15,6 +15,7 @@ use crate::friction::warning::{Place, Warning};
 use crate::friction::{PredictionError, Settings, in_order};
 use crate::integral::asperity_at_slip::Additional;
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
+use crate::integral::mean_plane::MeanPlane;
 use crate::integral::predictor::Predictor;
 use crate::integral::separation::separation_for;
 use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
@@ -23,7 +24,7 @@ use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
 use drawn::draw;
 use rand::{RngExt, SeedableRng};
 pub use states::SampledState;
-use states::{LawAtRate, Summits};
+use states::{LawAtRate, Slide, Summits};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::{AboveRange, AsperityLaw, LookupError};
 
@@ -77,6 +78,8 @@ pub fn sample(
     };
     let laws: Vec<LawAtRate> = query.slip_rates.iter().map(with_rate).collect::<Result<_, LookupError>>()?;
     let predictors = predictors(&laws, surface, query, settings);
+    let plane = MeanPlane::new(query.interaction, law)?;
+    let slide = Slide { law, query, settings, plane, laws: &laws, predictors: &predictors };
     let mut seeds = Random::seed_from_u64(sampling.seed);
     let seeds: Vec<u64> = (0..sampling.realizations).map(|_| seeds.random()).collect();
     let done = AtomicUsize::new(0);
@@ -89,12 +92,11 @@ pub fn sample(
     let surfaces: Vec<Vec<SampledState>> = in_order(&seeds, |&seed| {
         let drawn = draw(surface, sampling.asperities, seed);
         let summits = Summits { heights: &drawn.all, of_radius: &drawn.of_radius, ..infinite };
-        let states = summits.states(law, &laws, &predictors, query, settings)?.into_iter().collect();
+        let states = slide.states(&summits).into_iter().collect();
         progress(done.fetch_add(1, Ordering::Relaxed) + 1, sampling.realizations);
         states
     })?;
-    let infinite: Vec<_> = infinite.states(law, &laws, &predictors, query, settings)?;
-    let infinite: Vec<Option<SampledState>> = infinite.into_iter().map(Result::ok).collect();
+    let infinite: Vec<Option<SampledState>> = slide.states(&infinite).into_iter().map(Result::ok).collect();
     let states: Vec<Vec<SampledState>> =
         (0..predictors.len()).map(|cell| surfaces.iter().map(|surface| surface[cell]).collect()).collect();
     let warnings = warnings(law, query, sampling.slip, &states, &infinite);

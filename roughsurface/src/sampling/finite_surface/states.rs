@@ -50,43 +50,47 @@ impl Summits<'_> {
         });
         SurfaceIntegral::of_classes(parts.filter(|(share, _)| *share > 0.0).collect())
     }
+}
 
+/// How summits are pressed and slid.
+pub(super) struct Slide<'a> {
+    pub law: &'a dyn AsperityLaw,
+    pub query: &'a Query,
+    pub settings: &'a Settings,
+    pub plane: MeanPlane,
+    /// At each slip rate.
+    pub laws: &'a [LawAtRate<'a>],
+    /// Where the search for a separation starts, at every pressure or separation and slip rate, row by row.
+    pub predictors: &'a [Predictor],
+}
+
+impl Slide<'_> {
     /// At every pressure or separation and slip rate, row by row.
-    pub fn states(
-        &self,
-        law: &dyn AsperityLaw,
-        laws: &[LawAtRate],
-        predictors: &[Predictor],
-        query: &Query,
-        settings: &Settings,
-    ) -> Result<Vec<Result<SampledState, PredictionError>>, PredictionError> {
-        let plane = MeanPlane::new(query.interaction, law)?;
-        let state = |cell: usize| {
-            let (row, rate) = (cell / laws.len(), cell % laws.len());
-            let load = (query.loading.values()[row], plane);
-            let (separation, state) =
-                self.slid(&laws[rate], predictors[cell], query, load, settings.tolerance)?;
-            let contacts = state.contact_density * self.count as f64 / self.density;
-            let state = SlipState::at_separation(separation, &state, plane);
-            Ok(SampledState {
-                state: state.within(law, settings, &|| Place::of(query, row, rate))?,
-                contacts,
-            })
-        };
-        Ok((0..predictors.len()).map(state).collect())
+    pub fn states(&self, summits: &Summits) -> Vec<Result<SampledState, PredictionError>> {
+        (0..self.predictors.len()).map(|cell| self.state(summits, cell)).collect()
     }
 
-    /// Effective separation (m) and state after the slide under the pressure or separation `value`.
+    fn state(&self, summits: &Summits, cell: usize) -> Result<SampledState, PredictionError> {
+        let (row, rate) = (cell / self.laws.len(), cell % self.laws.len());
+        let (separation, state) = self.slid(summits, row, rate, self.predictors[cell])?;
+        let contacts = state.contact_density * summits.count as f64 / summits.density;
+        let state = SlipState::at_separation(separation, &state, self.plane);
+        let at = || Place::of(self.query, row, rate);
+        Ok(SampledState { state: state.within(self.law, self.settings, &at)?, contacts })
+    }
+
+    /// Effective separation (m) and state after the slide.
     fn slid(
         &self,
-        law: &LawAtRate,
+        summits: &Summits,
+        row: usize,
+        rate: usize,
         predictor: Predictor,
-        query: &Query,
-        (value, plane): (f64, MeanPlane),
-        tolerance: f64,
     ) -> Result<(f64, ContactState), PredictionError> {
-        let mut before = self.integral(&law.before, tolerance);
-        let mut after = self.integral(&law.after, tolerance);
+        let Self { query, plane, laws, .. } = *self;
+        let value = query.loading.values()[row];
+        let [mut before, mut after] =
+            [&laws[rate].before, &laws[rate].after].map(|of| summits.integral(of, self.settings.tolerance));
         if query.control == LoadingControl::Separation {
             let separation = match query.loading {
                 NormalLoading::Separation(_) => value,
