@@ -143,18 +143,19 @@ impl Interpolant {
         ratio: f64,
     ) -> Result<(Values, Errors), Absent> {
         let slip = self.nodes.locate_slip(ratio);
-        let on = |index: usize| Location { index, t: 0.0 };
         let (at, factor, (values, uncertainty)) = match *place {
-            Place::Below(below) => {
-                (on(first), 1.0, self.sphere.state_below(below, ratio, &self.row(first, rate, slip)?))
-            }
+            Place::Below(below) => (
+                Location::on(first),
+                1.0,
+                self.sphere.state_below(below, ratio, &self.row(first, rate, slip)?),
+            ),
             Place::Inside(place) => {
                 let values = blend(&self.log_interference, place, |i| self.row(i, rate, slip))?;
                 (place, 1.0, (values, Errors::default()))
             }
             Place::Above(above) => {
                 let before = last.checked_sub(1).and_then(|before| self.row(before, rate, slip).ok());
-                (on(last), above.error_factor(), above.state(before, &self.row(last, rate, slip)?))
+                (Location::on(last), above.error_factor(), above.state(before, &self.row(last, rate, slip)?))
             }
         };
         let mut error = self.nodes.relative_error(at, rate, slip);
@@ -189,7 +190,7 @@ impl Interpolant {
         log_interference: f64,
         rate: Location,
     ) -> Result<Place, Absent> {
-        let column = rate.index + usize::from(rate.t > 0.5);
+        let column = rate.nearest();
         match self.place(rows, log_interference) {
             Place::Below(_) if first > 0 => Err((first - 1, column)),
             Place::Above(_) if last + 1 < self.log_interference.len() => Err((last + 1, column)),

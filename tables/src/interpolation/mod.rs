@@ -272,10 +272,9 @@ impl AsperityLaw for InterpolatedTable {
         let ratio = self.radius_ratio(radius)?;
         let rate = self.located_rate(0.0, slip_rate, ratio)?;
         let column = self.interpolant.at_rate(rate);
-        let only = Location { index: 0, t: 0.0 };
         Ok(Box::new(move |interference, slip| {
             self.check_interference(interference)?;
-            let state = |slip| column.state(interference, only, slip);
+            let state = |slip| column.state(interference, Location::on(0), slip);
             self.scaled(interference, ratio, slip, state)
                 // The general lookup gives the reason of an error.
                 .or_else(|_| self.response(radius, interference, slip_rate, slip))

@@ -92,8 +92,7 @@ impl Nodes {
     pub(super) fn relative_error(&self, place: Location, rate: Location, slip: Location) -> Errors {
         let mut error = Errors::default();
         let corner = |i: usize, j: usize, k: usize| (i * self.rates + j) * self.slip.len() + k;
-        let nearest = |at: Location| at.index + usize::from(at.t > 0.5);
-        let (i, j, k) = (nearest(place), nearest(rate), nearest(slip));
+        let (i, j, k) = (place.nearest(), rate.nearest(), slip.nearest());
         for (i, share_i) in ends(place) {
             for (j, share_j) in ends(rate) {
                 let given = &self.given[corner(i, j, k)];
@@ -124,16 +123,11 @@ impl Nodes {
     /// after some slip. The error of interpolating along the slip rate joins that of the results.
     pub(super) fn at_rate(&self, rate: Location, row: impl Fn(usize, Location) -> Option<Values>) -> Self {
         let rows = self.histories.len() / self.rates;
-        let j = rate.index + usize::from(rate.t > 0.5);
-        let point = |k: usize| match k + 1 < self.slip.len() {
-            true => Location { index: k, t: 0.0 },
-            false => Location { index: k.saturating_sub(1), t: if k == 0 { 0.0 } else { 1.0 } },
-        };
+        let j = rate.nearest();
         let history = |i: usize| {
-            let states = (0..self.slip.len()).map(|k| row(i, point(k)));
+            let states = (0..self.slip.len()).map(|k| row(i, Location::on(k)));
             Some(with_slopes(&self.slip, states.collect::<Option<Vec<_>>>()?))
         };
-        let place = |i: usize| Location { index: i, t: 0.0 };
         let slips = self.slip.len();
         let column = |misfit: &Vec<Errors>| -> Vec<Errors> {
             if misfit.is_empty() {
@@ -147,7 +141,7 @@ impl Nodes {
             histories: (0..rows).map(history).collect(),
             given: (0..rows)
                 .flat_map(|i| (0..slips).map(move |k| (i, k)))
-                .map(|(i, k)| self.relative_error(place(i), rate, point(k)))
+                .map(|(i, k)| self.relative_error(Location::on(i), rate, Location::on(k)))
                 .collect(),
             misfit: [column(&self.misfit[0]), Vec::new(), column(&self.misfit[2])],
         }
@@ -210,7 +204,7 @@ pub(super) fn blend_with_bend(
 ) -> Result<(f64, f64), Absent> {
     let Location { index, t } = place;
     if t <= ROUNDING || t >= 1.0 - ROUNDING {
-        return Ok((value(index + usize::from(t > 0.5))?, 0.0));
+        return Ok((value(place.nearest())?, 0.0));
     }
     let inner = [value(index)?, value(index + 1)?];
     let outer = neighbours(axis, index, |i| value(i).ok());

@@ -30,15 +30,14 @@ impl InterpolatedTable {
         let rows @ (first, last) = self.interpolant.rows.ok_or((0, 0)).map_err(absent)?;
         let origin = quantity.origin(self.metadata().temperature);
         let between = |quantity, origin, place| self.between(quantity, origin, place, rate);
-        let on = |index: usize| Location { index, t: 0.0 };
         let of_row = |quantity, origin, row: usize| {
-            between(quantity, origin, on(row)).map_or(f64::NAN, |(value, _)| value)
+            between(quantity, origin, Location::on(row)).map_or(f64::NAN, |(value, _)| value)
         };
         let (value, error) =
             match self.interpolant.place_with_results(rows, interference.ln(), rate).map_err(absent)? {
                 Place::Inside(place) => between(quantity, origin, place).map_err(absent)?,
                 Place::Below(below) => {
-                    let (value, error) = between(quantity, origin, on(first)).map_err(absent)?;
+                    let (value, error) = between(quantity, origin, Location::on(first)).map_err(absent)?;
                     let [load, area] =
                         [Quantity::Load, Quantity::Area].map(|quantity| of_row(quantity, 0.0, first));
                     let row = FirstRow { sphere: &self.interpolant.sphere, below, load, area };
@@ -47,7 +46,7 @@ impl InterpolatedTable {
                     (continued, factor * error + row.uncertainty(quantity, value) * continued.abs())
                 }
                 Place::Above(above) => {
-                    let (value, error) = between(quantity, origin, on(last)).map_err(absent)?;
+                    let (value, error) = between(quantity, origin, Location::on(last)).map_err(absent)?;
                     let rows = |quantity, origin| {
                         let before = last.checked_sub(1).map(|before| of_row(quantity, origin, before));
                         (before, of_row(quantity, origin, last))
@@ -71,11 +70,10 @@ impl InterpolatedTable {
     /// Whether sliding begins in all cells around a place.
     pub(super) fn begins_around(&self, interference: f64, rate: Location) -> bool {
         let Some(rows @ (first, last)) = self.interpolant.rows else { return true };
-        let on = |index: usize| Location { index, t: 0.0 };
         let place = match self.interpolant.place(rows, interference.ln()) {
             Place::Inside(place) => place,
-            Place::Below(_) => on(first),
-            Place::Above(_) => on(last),
+            Place::Below(_) => Location::on(first),
+            Place::Above(_) => Location::on(last),
         };
         let last_slip = self.interpolant.nodes.last_slip();
         let begins = |i: usize, j: usize| self.cell(i, j).is_none_or(|cell| cell.begins_to_slide(last_slip));

@@ -62,11 +62,23 @@ pub struct Location {
     pub t: f64,
 }
 
+impl Location {
+    /// On a point.
+    pub fn on(index: usize) -> Self {
+        Self { index, t: 0.0 }
+    }
+
+    /// The nearest point.
+    pub fn nearest(self) -> usize {
+        self.index + usize::from(self.t > 0.5)
+    }
+}
+
 /// Finds `at` on the strictly increasing axis `x`; NaN, as from the radius of a missing cell, is put between the first
 /// two points.
 pub fn locate(x: &[f64], at: f64) -> Location {
     if x.len() < 2 || at <= x[0] {
-        return Location { index: 0, t: 0.0 };
+        return Location::on(0);
     }
     let index = x.partition_point(|point| *point <= at).saturating_sub(1).min(x.len() - 2);
     let t = ((at - x[index]) / (x[index + 1] - x[index])).min(1.0);
