@@ -46,35 +46,38 @@ fn write(path: &Path, slices: &[Slice]) -> Result<(), DatasetError> {
         }
     }
     schema::stamp(&mut file, slices)?;
-    let content = Content { slices, several };
+    let mut table = TableWriter { file, slices, dimensions: &DIMENSIONS[usize::from(!several)..] };
     if several {
-        content.write_temperatures(&mut file)?;
+        table.temperatures()?;
     }
-    content.write_coordinates(&mut file)?;
+    table.coordinates()?;
     for quantity in Quantity::SCALARS {
         if slices.iter().any(|slice| slice.holds(quantity)) {
-            content.write_quantity(&mut file, quantity.descriptor())?;
+            table.quantity(quantity.descriptor())?;
         }
     }
     if let Some(fracture_energy) = metadata.fracture_energy {
-        content.write_energy_ratio(&mut file, fracture_energy)?;
+        table.energy_ratio(fracture_energy)?;
     }
-    content.write_state(&mut file)?;
-    file.finish()
+    table.state()?;
+    table.file.finish()
 }
 
-/// The slices to write; those at several temperatures have a leading dimension.
-struct Content<'a> {
+/// A file with its attributes, to which the slices are written.
+struct TableWriter<'a> {
+    file: DatasetWriter,
     slices: &'a [Slice],
-    several: bool,
+    /// Of the histories; cells lack the last. Several slices have a leading one.
+    dimensions: &'static [&'static str],
 }
 
-impl Content<'_> {
-    fn write_temperatures(&self, file: &mut DatasetWriter) -> Result<(), DatasetError> {
+impl TableWriter<'_> {
+    fn temperatures(&mut self) -> Result<(), DatasetError> {
+        let slices = self.slices;
         let of_members = |value: &dyn Fn(&Metadata) -> f64| -> Vec<f64> {
-            self.slices.iter().map(|slice| value(slice.metadata())).collect()
+            slices.iter().map(|slice| value(slice.metadata())).collect()
         };
-        file.coordinate(
+        self.file.coordinate(
             "temperature",
             &of_members(&|metadata| metadata.temperature),
             &[
@@ -83,40 +86,37 @@ impl Content<'_> {
                 ("units_metadata", "temperature: on_scale".into()),
             ],
         )?;
+        let mut variable = |name: &str, units: &str, long_name: &str, value: &dyn Fn(&Metadata) -> f64| {
+            self.file.reals(name, &["temperature"], &of_members(value), &described(units, long_name))
+        };
         for ((name, value), units, long_name) in OVER_TEMPERATURE {
-            let values = of_members(&|metadata| *value(&mut metadata.clone()));
-            file.reals(name, &["temperature"], &values, &described(units, long_name))?;
+            variable(name, units, long_name, &|metadata| *value(&mut metadata.clone()))?;
         }
-        if self.slices[0].metadata().film_strength.is_some() {
+        if slices[0].metadata().film_strength.is_some() {
             for ((name, value), units, long_name) in FILM_OVER_TEMPERATURE {
-                let values = of_members(&|metadata| value(&mut metadata.clone()).unwrap_or(f64::NAN));
-                file.reals(name, &["temperature"], &values, &described(units, long_name))?;
+                let value = |metadata: &Metadata| value(&mut metadata.clone()).unwrap_or(f64::NAN);
+                variable(name, units, long_name, &value)?;
             }
         }
-        if let Some(law) = self.slices[0].metadata().fracture_energy {
+        if let Some(law) = slices[0].metadata().fracture_energy {
             let units = if law.radius_exponent == 0 { "J m-2" } else { "J m-3" };
             let long_name = "coefficient of the shear fracture energy";
-            let coefficient =
+            let value =
                 |metadata: &Metadata| metadata.fracture_energy.map_or(f64::NAN, |law| law.coefficient);
-            let attributes = described(units, long_name);
-            file.reals(FRACTURE_ENERGY, &["temperature"], &of_members(&coefficient), &attributes)?;
+            variable(FRACTURE_ENERGY, units, long_name, &value)?;
         }
         Ok(())
     }
 
     fn grid(&self) -> &'static [&'static str] {
-        &DIMENSIONS[usize::from(!self.several)..3]
+        &self.dimensions[..self.dimensions.len() - 1]
     }
 
-    fn grid_and_slip(&self) -> &'static [&'static str] {
-        &DIMENSIONS[usize::from(!self.several)..]
-    }
-
-    fn write_coordinates(&self, file: &mut DatasetWriter) -> Result<(), DatasetError> {
+    fn coordinates(&mut self) -> Result<(), DatasetError> {
         let axes = self.slices[0].axes();
         let long_name = "interference over critical interference of first yield";
-        file.coordinate("interference", &axes.interference, &described("1", long_name))?;
-        file.coordinate(
+        self.file.coordinate("interference", &axes.interference, &described("1", long_name))?;
+        self.file.coordinate(
             "slip_rate",
             &axes.slip_rate,
             &[
@@ -126,30 +126,29 @@ impl Content<'_> {
             ],
         )?;
         let long_name = "slip over contact radius at the end of the press";
-        file.coordinate("slip", &axes.slip, &described("1", long_name))
+        self.file.coordinate("slip", &axes.slip, &described("1", long_name))
     }
 
-    fn write_quantity(&self, file: &mut DatasetWriter, descriptor: &Descriptor) -> Result<(), DatasetError> {
+    fn quantity(&mut self, descriptor: &Descriptor) -> Result<(), DatasetError> {
         let Descriptor { quantity, name, long_name, .. } = *descriptor;
-        self.write_estimates(file, descriptor, |_, cell| cell[quantity])?;
+        self.estimates(descriptor, |_, cell| cell[quantity])?;
         if descriptor.history == Stored::RunAndTable {
             let slips = self.slices[0].axes().slip.len();
-            let history = |(_, cell): (&Slice, Option<&Cell>)| match cell {
+            let values = self.over_cells(|_, cell| match cell {
                 Some(cell) => cell.history(quantity).to_vec(),
                 None => vec![f64::NAN; slips],
-            };
-            let values: Vec<f64> = self.each_cell().flat_map(history).collect();
+            });
             let along = format!("{long_name}, along the slide");
             let attributes = describe(descriptor, along, "temperature: on_scale");
-            file.reals(&history_name(name), self.grid_and_slip(), &values, &attributes)?;
+            self.file.reals(&history_name(name), self.dimensions, &values.concat(), &attributes)?;
         }
         Ok(())
     }
 
     /// G/G_IIc, which follows from G and the contact radius and is not read back.
-    fn write_energy_ratio(&self, file: &mut DatasetWriter, law: FractureEnergy) -> Result<(), DatasetError> {
-        file.attribute(FRACTURE_ENERGY, law.coefficient)?;
-        file.attribute(FRACTURE_EXPONENT, law.radius_exponent)?;
+    fn energy_ratio(&mut self, law: FractureEnergy) -> Result<(), DatasetError> {
+        self.file.attribute(FRACTURE_ENERGY, law.coefficient)?;
+        self.file.attribute(FRACTURE_EXPONENT, law.radius_exponent)?;
         let energy = *Quantity::EnergyRelease.descriptor();
         let ratio = Descriptor {
             name: "G_ratio",
@@ -158,89 +157,60 @@ impl Content<'_> {
             radius_exponent: energy.radius_exponent - law.radius_exponent,
             ..energy
         };
-        let of = |slice: &Slice, cell: &Cell| slice.energy_ratio(cell).unwrap_or(Estimate::UNKNOWN);
-        self.write_estimates(file, &ratio, of)
+        self.estimates(&ratio, |slice, cell| slice.energy_ratio(cell).unwrap_or(Estimate::UNKNOWN))
     }
 
     /// A variable and that of its errors.
-    fn write_estimates(
-        &self,
-        file: &mut DatasetWriter,
+    fn estimates(
+        &mut self,
         descriptor: &Descriptor,
         of: impl Fn(&Slice, &Cell) -> Estimate,
     ) -> Result<(), DatasetError> {
         let Descriptor { name, long_name, .. } = *descriptor;
         let error_name = format!("{name}_error");
+        let known = self.over_cells(|slice, cell| cell.map_or(Estimate::UNKNOWN, |cell| of(slice, cell)));
+        let (values, errors): (Vec<f64>, Vec<f64>) =
+            known.into_iter().map(|Estimate { value, error }| (value, error)).unzip();
         let mut attributes = describe(descriptor, long_name.into(), "temperature: on_scale");
         attributes.push(("ancillary_variables", format!("{error_name} status").into()));
-        file.reals(name, self.grid(), &self.collect(|slice, cell| of(slice, cell).value), &attributes)?;
+        self.file.reals(name, self.grid(), &values, &attributes)?;
         let error_long_name = format!("half-width of the 95 % interval of the {long_name}");
         let attributes = describe(descriptor, error_long_name, "temperature: difference");
-        file.reals(&error_name, self.grid(), &self.collect(|slice, cell| of(slice, cell).error), &attributes)
+        self.file.reals(&error_name, self.grid(), &errors, &attributes)
     }
 
-    fn write_state(&self, file: &mut DatasetWriter) -> Result<(), DatasetError> {
-        let steady = |cell: Option<&Cell>| i8::from(cell.is_some_and(|cell| cell.steady));
-        let steady: Vec<i8> = self.each_cell().map(|(_, cell)| steady(cell)).collect();
+    fn state(&mut self) -> Result<(), DatasetError> {
+        let grid = self.grid();
         let long_name = |text: &str| ("long_name", AttributeValue::from(text));
-        file.flags(
-            "levelled",
-            self.grid(),
-            &steady,
-            &["no", "yes"],
-            &[long_name("whether friction has levelled off at the end of the slide")],
-        )?;
-        file.reals(
-            "wall_time",
-            self.grid(),
-            &self.collect(|_, cell| cell.wall_time),
-            &[long_name("time the run took"), ("units", "s".into())],
-        )?;
+        let steady = self.over_cells(|_, cell| i8::from(cell.is_some_and(|cell| cell.steady)));
+        let levelled = long_name("whether friction has levelled off at the end of the slide");
+        self.file.flags("levelled", grid, &steady, &["no", "yes"], &[levelled])?;
+        let times = self.over_cells(|_, cell| cell.map_or(f64::NAN, |cell| cell.wall_time));
+        let time_taken = [long_name("time the run took"), ("units", "s".into())];
+        self.file.reals("wall_time", grid, &times, &time_taken)?;
 
-        let (mut codes, mut reasons) = (Vec::new(), Vec::new());
-        for (_, status) in self.each_status() {
-            let (code, reason) = match status {
-                Status::Done(_) => (0, ""),
-                Status::NotRun => (1, ""),
-                Status::Failed(reason) => (2, reason.as_str()),
-            };
-            codes.push(code);
-            reasons.push(reason);
-        }
-        file.flags(
-            "status",
-            self.grid(),
-            &codes,
-            &STATUS_MEANINGS,
-            &[long_name("state of the run"), ("standard_name", "status_flag".into())],
-        )?;
-        file.texts("failure_reason", self.grid(), &reasons, &[long_name("why the run failed")])?;
-        let warnings: Vec<String> = self
-            .each_cell()
-            .map(|(_, cell)| cell.map_or(String::new(), |cell| cell.warnings.join("\n")))
-            .collect();
-        file.texts(
-            "warnings",
-            self.grid(),
-            &warnings,
-            &[long_name("what to know before trusting the numbers")],
-        )
+        let state = |status| match status {
+            &Status::Done(_) => (0, ""),
+            Status::NotRun => (1, ""),
+            Status::Failed(reason) => (2, reason.as_str()),
+        };
+        let (codes, reasons): (Vec<i8>, Vec<&str>) = (self.slices.iter())
+            .flat_map(|slice| slice.grid().map(move |(i, j)| slice.status(i, j)))
+            .map(state)
+            .unzip();
+        let of_run = [long_name("state of the run"), ("standard_name", "status_flag".into())];
+        self.file.flags("status", grid, &codes, &STATUS_MEANINGS, &of_run)?;
+        self.file.texts("failure_reason", grid, &reasons, &[long_name("why the run failed")])?;
+        let warnings = self.over_cells(|_, cell| cell.map_or(String::new(), |cell| cell.warnings.join("\n")));
+        let meaning = long_name("what to know before trusting the numbers");
+        self.file.texts("warnings", grid, &warnings, &[meaning])
     }
 
-    fn each_status(&self) -> impl Iterator<Item = (&Slice, &Status)> {
-        self.slices.iter().flat_map(|slice| slice.grid().map(move |(i, j)| (slice, slice.status(i, j))))
-    }
-
-    fn each_cell(&self) -> impl Iterator<Item = (&Slice, Option<&Cell>)> {
-        self.each_status().map(|(slice, status)| match status {
-            Status::Done(cell) => (slice, Some(&**cell)),
-            _ => (slice, None),
-        })
-    }
-
-    fn collect(&self, value: impl Fn(&Slice, &Cell) -> f64) -> Vec<f64> {
-        let of = |(slice, cell): (&Slice, Option<&Cell>)| cell.map_or(f64::NAN, |cell| value(slice, cell));
-        self.each_cell().map(of).collect()
+    /// Of every point of every slice, with the cell that is done there.
+    fn over_cells<T>(&self, of: impl Fn(&Slice, Option<&Cell>) -> T) -> Vec<T> {
+        let of_slice =
+            |slice: &Slice| -> Vec<T> { slice.grid().map(|(i, j)| of(slice, slice.cell(i, j))).collect() };
+        self.slices.iter().flat_map(of_slice).collect()
     }
 }
 
