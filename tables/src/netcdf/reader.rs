@@ -3,11 +3,12 @@
 use std::io::Read;
 use std::path::Path;
 
-use ::netcdf::AttributeValue;
+use ::netcdf::{AttributeValue, Dimension};
 use parking_lot::ReentrantMutexGuard;
 
 use super::checksum::{self, Checksum};
 use super::{DatasetError, FILL_VALUE, MOST_EXPANSION, classic_header, sandbox, silence_hdf5};
+use crate::quantity::Estimate;
 
 /// A netCDF file being read.
 pub struct DatasetReader {
@@ -88,11 +89,8 @@ impl DatasetReader {
 
     /// Global attribute that is a number, if it is there.
     pub fn optional_real(&self, name: &str) -> Result<Option<f64>, DatasetError> {
-        let Some(value) = self.attribute(name)? else {
-            return Ok(None);
-        };
-        let not_a_number = |_| self.content(format!("global attribute \"{name}\" is not a number"));
-        f64::try_from(value).map(Some).map_err(not_a_number)
+        let number = self.attribute(name)?.map(f64::try_from).transpose();
+        number.map_err(|_| self.content(format!("global attribute \"{name}\" is not a number")))
     }
 
     /// Values of a coordinate or any other variable with one dimension.
@@ -108,7 +106,7 @@ impl DatasetReader {
 
     /// Lengths of the dimensions of a variable.
     pub fn shape(&self, name: &str) -> Result<Vec<usize>, DatasetError> {
-        Ok(self.variable(name)?.dimensions().iter().map(|dimension| dimension.len()).collect())
+        Ok(self.variable(name)?.dimensions().iter().map(Dimension::len).collect())
     }
 
     /// Attribute of a variable that is a text, if there is one.
@@ -131,8 +129,8 @@ impl DatasetReader {
             Ok(Some(fill)) => fill,
             _ => FILL_VALUE,
         };
-        let mut values = (variable.get_values::<f64, _>(..))
-            .map_err(|error| self.content(format!("variable \"{name}\": {error}")))?;
+        let values = variable.get_values::<f64, _>(..);
+        let mut values = values.map_err(|error| self.unreadable("variable", name, &error))?;
         for value in &mut values {
             if *value == fill {
                 *value = f64::NAN;
@@ -141,17 +139,22 @@ impl DatasetReader {
         Ok(values)
     }
 
+    /// Numbers with those of the variable of their errors.
+    pub fn estimates(&self, name: &str, shape: &[usize]) -> Result<Vec<Estimate>, DatasetError> {
+        let (values, errors) = (self.reals(name, shape)?, self.reals(&format!("{name}_error"), shape)?);
+        Ok(values.into_iter().zip(errors).map(|(value, error)| Estimate { value, error }).collect())
+    }
+
     /// Flags of the expected shape.
     pub fn flags(&self, name: &str, shape: &[usize]) -> Result<Vec<i8>, DatasetError> {
-        let variable = self.shaped(name, shape)?;
-        (variable.get_values::<i8, _>(..))
-            .map_err(|error| self.content(format!("variable \"{name}\": {error}")))
+        let values = self.shaped(name, shape)?.get_values::<i8, _>(..);
+        values.map_err(|error| self.unreadable("variable", name, &error))
     }
 
     /// One text of a variable of texts.
     pub fn text(&self, name: &str, index: &[usize]) -> Result<String, DatasetError> {
-        (self.variable(name)?.get_string(index))
-            .map_err(|error| self.content(format!("variable \"{name}\": {error}")))
+        let text = self.variable(name)?.get_string(index);
+        text.map_err(|error| self.unreadable("variable", name, &error))
     }
 
     /// An error about this file.
@@ -160,11 +163,12 @@ impl DatasetReader {
     }
 
     fn attribute(&self, name: &str) -> Result<Option<AttributeValue>, DatasetError> {
-        let Some(attribute) = self.file.attribute(name) else {
-            return Ok(None);
-        };
-        let unreadable = |error| self.content(format!("global attribute \"{name}\": {error}"));
-        attribute.value().map(Some).map_err(unreadable)
+        let value = self.file.attribute(name).map(|attribute| attribute.value()).transpose();
+        value.map_err(|error| self.unreadable("global attribute", name, &error))
+    }
+
+    fn unreadable(&self, kind: &str, name: &str, error: &::netcdf::Error) -> DatasetError {
+        self.content(format!("{kind} \"{name}\": {error}"))
     }
 
     fn missing(&self, kind: &str, name: &str) -> DatasetError {
@@ -177,8 +181,7 @@ impl DatasetReader {
 
     fn shaped(&self, name: &str, shape: &[usize]) -> Result<::netcdf::Variable<'_>, DatasetError> {
         let variable = self.variable(name)?;
-        let lengths = variable.dimensions().iter().map(|dimension| dimension.len());
-        let found: Vec<usize> = lengths.collect();
+        let found: Vec<usize> = variable.dimensions().iter().map(Dimension::len).collect();
         // Dimensions take no space in a file and may exceed any memory.
         let values = found.iter().try_fold(1usize, |product, length| product.checked_mul(*length));
         if values.is_none_or(|values| values > self.most_values) {

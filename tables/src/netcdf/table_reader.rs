@@ -114,10 +114,8 @@ fn read_cells(
         if quantity.descriptor().optional && !file.has(name) {
             continue;
         }
-        let values = file.reals(name, grid)?;
-        let errors = file.reals(&format!("{name}_error"), grid)?;
-        for (cell, (value, error)) in cells.iter_mut().zip(values.into_iter().zip(errors)) {
-            cell[quantity] = crate::quantity::Estimate { value, error };
+        for (cell, estimate) in cells.iter_mut().zip(file.estimates(name, grid)?) {
+            cell[quantity] = estimate;
         }
     }
     for quantity in Quantity::TABLE_HISTORIES {

@@ -154,14 +154,14 @@ impl FrictionTable {
             return refused("not a result of `roughsurface predict`, which is exported");
         }
         let (pressures, slip_rates) = (file.coordinate("pressure")?, file.coordinate("slip_rate")?);
-        let mu = estimates(&file, "mu", &[pressures.len(), slip_rates.len()])?;
+        let mu = file.estimates("mu", &[pressures.len(), slip_rates.len()])?;
         if let Some(cell) = mu.iter().position(|mu| mu.value.is_nan()) {
             let (pressure, slip_rate) =
                 (pressures[cell / slip_rates.len()], slip_rates[cell % slip_rates.len()]);
             return refused(&format!("mu is not known at {pressure:e} Pa and {slip_rate} m/s"));
         }
         let rows = [pressures.len()];
-        let exponents = estimates(&file, "rate_exponent", &rows)?;
+        let exponents = file.estimates("rate_exponent", &rows)?;
         let chosen = fitted(&file, ["rate_mu_0", "rate_mu_inf", "rate_V_star"], &exponents, "rate")?;
         let eight = vec![Estimate::exact(8.0); pressures.len()];
         let flash_heating = fitted(&file, ["mu_0", "mu_w", "V_w"], &eight, "flash_heating")?;
@@ -203,12 +203,6 @@ impl FrictionTable {
     }
 }
 
-/// A variable with its errors.
-fn estimates(file: &DatasetReader, name: &str, shape: &[usize]) -> Result<Vec<Estimate>, DatasetError> {
-    let (values, errors) = (file.reals(name, shape)?, file.reals(&format!("{name}_error"), shape)?);
-    Ok(values.into_iter().zip(errors).map(|(value, error)| Estimate { value, error }).collect())
-}
-
 /// The laws of each pressure, from the variables of μ_0, the plateau and the slip rate, and those called after `prefix`.
 fn fitted(
     file: &DatasetReader,
@@ -217,7 +211,7 @@ fn fitted(
     prefix: &str,
 ) -> Result<Vec<FittedLaw>, DatasetError> {
     let rows = [exponents.len()];
-    let [mu_0, plateau, velocity] = names.map(|name| estimates(file, name, &rows));
+    let [mu_0, plateau, velocity] = names.map(|name| file.estimates(name, &rows));
     let (mu_0, plateau, velocity) = (mu_0?, plateau?, velocity?);
     let misfits = file.reals(&format!("{prefix}_rms"), &rows)?;
     let law = |row: usize| -> Result<FittedLaw, DatasetError> {
