@@ -58,8 +58,16 @@ const CLASSES: [u32; 2] = [0xf0c05a, 0x0072b2];
 /// Parts of a labelled interval of the scale, each a band.
 const PARTS: f64 = 2.0;
 
-/// Bands from low to high: ends and colour.
-pub(super) fn bands(from: f64, to: f64) -> Vec<(f64, f64, Color)> {
+/// Values of one colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Band {
+    pub from: f64,
+    pub to: f64,
+    pub color: Color,
+}
+
+/// Bands from low to high.
+pub(super) fn bands(from: f64, to: f64) -> Vec<Band> {
     if !(from < to && (to - from).is_finite()) {
         return Vec::new();
     }
@@ -73,7 +81,7 @@ pub(super) fn bands(from: f64, to: f64) -> Vec<(f64, f64, Color)> {
         false => (&SEQUENTIAL, from, to),
     };
     let color = |pair: &[f64]| color(map, (0.5 * (pair[0] + pair[1]) - low) / (high - low));
-    ends.windows(2).map(|pair| (pair[0], pair[1], color(pair))).collect()
+    ends.windows(2).map(|pair| Band { from: pair[0], to: pair[1], color: color(pair) }).collect()
 }
 
 /// Whether values of both signs are more than a tenth of the range each.
@@ -137,17 +145,13 @@ impl Field {
                 })
                 .collect(),
             Colors::Bands { from, to, .. } => {
-                let mut painted = Vec::new();
-                let all = bands(*from, *to);
-                for (n, (low, high, color)) in all.iter().enumerate() {
-                    // Values on the ends, and by rounding beyond them, are in the last bands.
-                    let low = if n == 0 { f64::NEG_INFINITY } else { *low };
-                    let high = if n + 1 == all.len() { f64::INFINITY } else { *high };
-                    let inside = |cell: &Vec<[f64; 3]>| outline(&between(cell, low, high));
-                    let outlines: Vec<Vec<Point>> = cells().map(inside).collect();
-                    painted.push((*color, merged(outlines)));
-                }
-                painted
+                let mut bands = bands(*from, *to);
+                // Values on the ends, and by rounding beyond them, are in the last bands.
+                bands.first_mut().into_iter().for_each(|first| first.from = f64::NEG_INFINITY);
+                bands.last_mut().into_iter().for_each(|last| last.to = f64::INFINITY);
+                let outlines =
+                    |band: &Band| cells().map(|cell| outline(&between(cell, band.from, band.to))).collect();
+                bands.iter().map(|band| (band.color, merged(outlines(band)))).collect()
             }
         }
     }
@@ -209,18 +213,18 @@ mod tests {
 
     #[test]
     fn hot_is_bright_and_signs_are_blue_and_red() {
-        let colors: Vec<Color> = bands(300.0, 1000.0).into_iter().map(|(_, _, color)| color).collect();
+        let colors: Vec<Color> = bands(300.0, 1000.0).iter().map(|band| band.color).collect();
         assert!(colors.len() > 5 && colors.windows(2).all(|pair| luminance(pair[0]) < luminance(pair[1])));
         // Next to zero.
-        assert_eq!(bands(-0.01, 3.0)[0].2, color(&SEQUENTIAL, 0.5 * 0.01 / 3.01));
+        assert_eq!(bands(-0.01, 3.0)[0].color, color(&SEQUENTIAL, 0.5 * 0.01 / 3.01));
         let signed = bands(-2.0, 1.0);
-        let (lowest, highest) = (signed[0].2, signed[signed.len() - 1].2);
+        let (lowest, highest) = (signed[0].color, signed[signed.len() - 1].color);
         assert!(lowest[2] > lowest[0] && highest[0] > highest[2]);
     }
 
     #[test]
     fn bands_end_at_round_values() {
-        let ends: Vec<f64> = bands(290.0, 800.0).into_iter().map(|(low, _, _)| low).collect();
+        let ends: Vec<f64> = bands(290.0, 800.0).iter().map(|band| band.from).collect();
         assert_eq!(ends, [290.0, 300.0, 350.0, 400.0, 450.0, 500.0, 550.0, 600.0, 650.0, 700.0, 750.0]);
         assert_eq!(bands(1.0, 1.0), []);
     }

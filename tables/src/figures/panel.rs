@@ -1,10 +1,10 @@
 //! One panel: frame with ticks, field, curves, legend.
 
 use super::axis::{Range, Ticks, signed};
-use super::canvas::{Anchor, BLACK, CURVE_WIDTH, Color, GAP, Group, Mark, Point, SMALL, width};
-use super::field::{bands, scale};
+use super::canvas::{Anchor, BLACK, CURVE_WIDTH, GAP, Group, Mark, Point, SMALL, width};
+use super::field::{Band, bands, scale};
 use super::legend::{Legend, STYLES, marker};
-use super::{Arrow, Colors, Curve, Drawn, Panel};
+use super::{Arrow, Curve, Drawn, Panel};
 
 /// Width and height of a panel in points: 85 mm, a column of a journal, and 66 mm.
 pub(super) const SIZE: Point = (241.0, 187.0);
@@ -33,8 +33,15 @@ struct Frame {
 struct Drawing<'a> {
     curve: &'a Curve,
     style: usize,
-    /// (x, y, error).
-    points: Vec<(f64, f64, f64)>,
+    points: Vec<Value>,
+}
+
+/// A point of a curve with the error of its ordinate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Value {
+    pub x: f64,
+    pub y: f64,
+    pub error: f64,
 }
 
 pub(super) fn draw(panel: &Panel, at: Point) -> Group {
@@ -74,8 +81,8 @@ fn drawings<'a>(panel: &'a Panel) -> Vec<Drawing<'a>> {
 }
 
 impl Panel {
-    /// (x, y, error) of the points that can be drawn.
-    pub(super) fn visible(&self, curve: &Curve) -> Vec<(f64, f64, f64)> {
+    /// The points that can be drawn.
+    pub(super) fn visible(&self, curve: &Curve) -> Vec<Value> {
         let on_axis = |value: f64, log: bool| value.is_finite() && (value > 0.0 || !log);
         let error = |n: usize| {
             let error = curve.error.as_ref().and_then(|error| error.get(n).copied());
@@ -83,7 +90,7 @@ impl Panel {
         };
         (curve.x.iter().zip(&curve.y).enumerate())
             .filter(|(_, (x, y))| on_axis(**x, self.x.log) && on_axis(**y, self.y.log))
-            .map(|(n, (x, y))| (*x, *y, error(n)))
+            .map(|(n, (x, y))| Value { x: *x, y: *y, error: error(n) })
             .collect()
     }
 }
@@ -92,9 +99,10 @@ impl Frame {
     fn new(panel: &Panel, drawings: &[Drawing], legend: f64) -> Self {
         let points = || drawings.iter().flat_map(|drawing| &drawing.points);
         let corners = || panel.field.iter().flat_map(|field| field.cells.iter().flatten());
-        let x = points().map(|(x, _, _)| *x).chain(corners().map(|corner| corner[0]));
+        let x = points().map(|point| point.x).chain(corners().map(|corner| corner[0]));
         // Bars that reach to zero would take a logarithmic axis with them.
-        let ends = points().flat_map(|(_, y, error)| [y - if panel.y.log { 0.0 } else { *error }, y + error]);
+        let below = |point: &Value| point.y - if panel.y.log { 0.0 } else { point.error };
+        let ends = points().flat_map(|point| [below(point), point.y + point.error]);
         let y = ends.chain(corners().map(|corner| corner[1]));
         let (x, y) = (Range::new(&panel.x, x), Range::new(&panel.y, y));
         let bar = match panel.field.as_ref().and_then(|field| scale(&field.colors)) {
@@ -129,7 +137,7 @@ impl Frame {
     }
 
     /// Ends of the error bar of a point, inside of the frame.
-    fn bar(&self, (x, y, error): (f64, f64, f64)) -> [Point; 2] {
+    fn bar(&self, Value { x, y, error }: Value) -> [Point; 2] {
         let lower = if self.y.log { (y - error).max(self.y.from) } else { y - error };
         [self.place(x, lower), self.place(x, y + error)]
     }
@@ -180,10 +188,8 @@ impl Frame {
         for (color, outlines) in field.painted(|x, y| self.place(x, y)) {
             group.marks.push(Mark::Fill { outlines, color, seam: 0.3 });
         }
-        if let Colors::Bands { from, to, .. } = field.colors
-            && let Some((label, range)) = scale(&field.colors)
-        {
-            self.color_bar(label, &range, &bands(from, to), group);
+        if let Some((label, range)) = scale(&field.colors) {
+            self.color_bar(label, &range, group);
         }
         if let Some(arrow) = &field.arrow {
             self.arrow(arrow, group);
@@ -201,14 +207,14 @@ impl Frame {
         group.text((right + 2.0, y), &arrow.text, SMALL, Anchor::Start);
     }
 
-    fn color_bar(&self, label: &str, range: &Range, bands: &[(f64, f64, Color)], group: &mut Group) {
+    fn color_bar(&self, label: &str, range: &Range, group: &mut Group) {
         let (left, right) = (self.right + 2.0 * GAP, self.right + 2.0 * GAP + BAR_WIDTH);
         let height = |value: f64| self.bottom - (self.bottom - self.top) * range.place(value);
         let outline = |low, high| {
             vec![(left, height(low)), (right, height(low)), (right, height(high)), (left, height(high))]
         };
-        for (low, high, color) in bands {
-            group.fill(outline(*low, *high), *color);
+        for Band { from, to, color } in bands(range.from, range.to) {
+            group.fill(outline(from, to), color);
         }
         let mut frame = outline(range.from, range.to);
         frame.extend_from_within(..2);
@@ -229,21 +235,21 @@ impl Frame {
         let (color, dashes, _) = STYLES[drawing.style];
         let line = |points, dashes, width| Mark::Line { points, color, width, dashes };
         if drawing.curve.drawn != Drawn::Markers {
-            let points = drawing.points.iter().map(|(x, y, _)| self.place(*x, *y)).collect();
+            let points = drawing.points.iter().map(|point| self.place(point.x, point.y)).collect();
             group.marks.push(line(points, dashes, CURVE_WIDTH));
         }
         if drawing.curve.drawn == Drawn::Line {
             return;
         }
         for point in drawing.marked() {
-            if point.2 > 0.0 {
+            if point.error > 0.0 {
                 let ends = self.bar(point);
                 group.marks.push(line(ends.to_vec(), &[], 0.6));
                 for (x, y) in ends {
                     group.marks.push(line(vec![(x - 1.5, y), (x + 1.5, y)], &[], 0.6));
                 }
             }
-            group.fill(marker(drawing.style, self.place(point.0, point.1)), color);
+            group.fill(marker(drawing.style, self.place(point.x, point.y)), color);
         }
     }
 
@@ -257,7 +263,7 @@ impl Frame {
                 (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1))
             })
         };
-        let points: Vec<Point> = drawing.points.iter().map(|(x, y, _)| self.place(*x, *y)).collect();
+        let points: Vec<Point> = drawing.points.iter().map(|point| self.place(point.x, point.y)).collect();
         let lines = points.windows(2).map(|pair| (pair[0], pair[1]));
         let bars = drawing.marked().map(|point| self.bar(point)).map(|[from, to]| (from, to));
         lines.chain(bars).chain(points.first().map(|point| (*point, *point))).flat_map(between).collect()
@@ -296,7 +302,7 @@ impl Frame {
 
 impl Drawing<'_> {
     /// Points with a marker.
-    fn marked(&self) -> impl Iterator<Item = (f64, f64, f64)> {
+    fn marked(&self) -> impl Iterator<Item = Value> {
         let count = if self.curve.drawn == Drawn::Line { 0 } else { self.points.len() };
         let step = if count <= FEW_POINTS { 1 } else { count.div_ceil(SPARSE_MARKERS) };
         // Shifted from curve to curve, so that markers of close curves do not hide each other.

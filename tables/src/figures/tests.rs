@@ -192,7 +192,7 @@ fn what_cannot_be_drawn_is_left_out() {
         Curve::new("nothing", vec![0.0], vec![1.0]),
     ];
     let points = figure.panels[0].visible(&figure.panels[0].curves[0]);
-    assert_eq!(points, [(2.0, 3.0, 0.0)]);
+    assert_eq!(points, [panel::Value { x: 2.0, y: 3.0, error: 0.0 }]);
     // A field of one value has no scale.
     figure.panels.push(map(1.0, 1.0));
     for drawn in [figure, Figure::default()] {
