@@ -1,6 +1,7 @@
 //! Settings of a prediction, and the reasons of its failure.
 
 use crate::friction::warning::Place;
+use crate::integral::law_source::SceneConstants;
 use crate::integral::separation::SeparationError;
 use rayon::prelude::*;
 use tables::law::{LARGEST_CONTACT, LookupError};
@@ -15,25 +16,14 @@ pub struct Settings {
     pub slip_points: usize,
     /// Keep mean pressure and friction beyond the largest contact of the model instead of refusing.
     pub extrapolate: bool,
-    /// Temperature from which on a contact counts as melting, K, where it is known.
-    pub melting_temperature: Option<f64>,
-    /// Time of sliding inception as in [`inception_time`](tables::closed_forms::partial_slip::inception_time), where it is known.
-    pub inception_time: Option<f64>,
-    /// The smaller effusivity √(kρc) of asperities and counterface, J/(m² K √s), where it is known.
-    pub effusivity: Option<f64>,
+    /// Constants of the bodies, for regimes and warnings.
+    pub scene: SceneConstants,
 }
 
 impl Default for Settings {
     /// Integrals to 1e-6 and neighbouring slips 6 % apart: both far below the errors of tables.
     fn default() -> Self {
-        Self {
-            tolerance: 1e-6,
-            slip_points: 200,
-            extrapolate: false,
-            melting_temperature: None,
-            inception_time: None,
-            effusivity: None,
-        }
+        Self { tolerance: 1e-6, slip_points: 200, extrapolate: false, scene: SceneConstants::default() }
     }
 }
 

@@ -37,6 +37,17 @@ pub enum LawSourceError {
     LoadHeld { table: String },
 }
 
+/// Constants of the scene of a table, where it states them.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SceneConstants {
+    /// Temperature from which on a contact counts as melting, K: key `melting` of the softening law.
+    pub melting_temperature: Option<f64>,
+    /// Time of sliding inception as in [`partial_slip::inception_time`].
+    pub inception_time: Option<f64>,
+    /// The smaller effusivity √(kρc) of asperities and counterface, J/(m² K √s).
+    pub effusivity: Option<f64>,
+}
+
 /// The law of one asperity, and the material data of its source.
 pub struct LawSource {
     pub law: Box<dyn AsperityLaw>,
@@ -44,12 +55,7 @@ pub struct LawSource {
     pub material: ElasticPlastic,
     /// Young's modulus of the asperities alone, Pa: that of `material` contains an elastic counterface.
     pub youngs_modulus: f64,
-    /// Melting temperature, K: key `melting` of the softening law in the scene of a table.
-    pub melting_temperature: Option<f64>,
-    /// Time of sliding inception as in [`partial_slip::inception_time`], from the scene of a table.
-    pub inception_time: Option<f64>,
-    /// The smaller effusivity √(kρc) of the bodies of the scene of a table, J/(m² K √s).
-    pub effusivity: Option<f64>,
+    pub scene: SceneConstants,
     /// Initial temperature of a table, K.
     pub initial_temperature: Option<f64>,
     /// Cells of the table without results: interpolated around, or of an interference or a slip rate that is left out.
@@ -96,7 +102,6 @@ impl LawSource {
         let temperature = metadata.temperature;
         let youngs_modulus =
             number(&scene, &["material", "youngs_modulus"], temperature).unwrap_or(material.youngs_modulus);
-        let initial_temperature = Some(temperature);
         let counterface = Some(Counterface {
             words: metadata.counterface_in_words(),
             constants: metadata.counterface_constants(),
@@ -111,10 +116,12 @@ impl LawSource {
             law: Box::new(table),
             material,
             youngs_modulus,
-            melting_temperature: number(&scene, &["material", "softening", "melting"], temperature),
-            inception_time: inception_time(&scene, &material, temperature),
-            effusivity: effusivity(&scene, temperature),
-            initial_temperature,
+            scene: SceneConstants {
+                melting_temperature: number(&scene, &["material", "softening", "melting"], temperature),
+                inception_time: inception_time(&scene, &material, temperature),
+                effusivity: effusivity(&scene, temperature),
+            },
+            initial_temperature: Some(temperature),
             missing_cells,
             other_interface: other_interface(&scene),
             counterface,
@@ -179,9 +186,7 @@ impl LawSource {
                 law,
                 material: *material,
                 youngs_modulus: material.youngs_modulus,
-                melting_temperature: None,
-                inception_time: None,
-                effusivity: None,
+                scene: SceneConstants::default(),
                 initial_temperature: None,
                 missing_cells: Vec::new(),
                 other_interface: None,
@@ -310,7 +315,7 @@ mod tests {
     #[test]
     fn the_scene_of_a_table_gives_the_time_of_inception() {
         let copper = LawSource::open("copper", None, None, false).unwrap();
-        let time = copper.inception_time.unwrap();
+        let time = copper.scene.inception_time.unwrap();
         assert!((time / 4.0764e-8 - 1.0).abs() < 1e-4, "{time:e}");
     }
 

@@ -174,7 +174,7 @@ impl Case {
     }
 
     /// Friction with the uncertain parameters, beside the closed forms `compared`, and of a topography at other cut-offs;
-    /// `show` is told slips done and in all. Melting temperature and time of inception are those of the table.
+    /// `show` is told slips done and in all. Constants of the scene are those of the table.
     pub fn predict(
         &self,
         compared: &[String],
@@ -182,8 +182,7 @@ impl Case {
         show: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Results, CaseError> {
         let Self { file, source, .. } = self;
-        let &LawSource { melting_temperature, inception_time, effusivity, .. } = source;
-        let settings = Settings { melting_temperature, inception_time, effusivity, ..*settings };
+        let settings = Settings { scene: source.scene, ..*settings };
         let (law, surface, query) = (source.law.as_ref(), &file.surface, &file.query);
         let mut results = Results::from(predict(law, surface, query, &settings, show)?);
         results.temperature = file.temperature.or(source.initial_temperature);

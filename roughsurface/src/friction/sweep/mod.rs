@@ -204,10 +204,10 @@ impl<'a> Sweep<'a> {
         slip: f64,
         separation: Estimate,
     ) -> Result<Contacts, LookupError> {
-        let Settings { tolerance, melting_temperature, .. } = *self.settings;
+        let Settings { tolerance, scene, .. } = *self.settings;
         let asperities = self.asperities[rate].map(|asperity| asperity.after(slip));
         let first = self.law.interference_start();
-        Contacts::of(&asperities, self.surface, separation, (tolerance, first), melting_temperature)
+        Contacts::of(&asperities, self.surface, separation, (tolerance, first), scene.melting_temperature)
     }
 
     /// Static friction, energies and warnings of one cell.

@@ -96,7 +96,7 @@ impl Sweep<'_> {
             }
             _ => (),
         }
-        let molten = self.settings.melting_temperature.zip(contacts.temperature_max);
+        let molten = self.settings.scene.melting_temperature.zip(contacts.temperature_max);
         if let Some((melting, highest)) = molten.filter(|(melting, highest)| highest.value > *melting) {
             warnings.push(Warning::AboveMelting { at: at(), highest: highest.value, melting });
         }
@@ -121,7 +121,7 @@ impl Sweep<'_> {
         let flux = sliding.shear.value * slip_rate;
         let at = || Place::of(self.query, row, rate);
         if self.query.contact_life == ContactLife::Steady {
-            let after_a_second = flux / (PI.sqrt() * self.settings.effusivity?);
+            let after_a_second = flux / (PI.sqrt() * self.settings.scene.effusivity?);
             let time = (LARGEST_NOMINAL_RISE * rise / after_a_second).powi(2);
             let face_rise = after_a_second * IN_CONTACT.sqrt();
             let counts = rise > 0.0 && time < IN_CONTACT && face_rise > LEAST_NOMINAL_RISE;
@@ -133,7 +133,7 @@ impl Sweep<'_> {
                 face_rise,
             });
         }
-        let of_unit_length = 4.0 / 3.0 * flux / ((PI * slip_rate).sqrt() * self.settings.effusivity?);
+        let of_unit_length = 4.0 / 3.0 * flux / ((PI * slip_rate).sqrt() * self.settings.scene.effusivity?);
         let length = (LARGEST_NOMINAL_RISE * rise / of_unit_length).powi(2);
         let nominal = match self.query.interaction {
             Interaction::MeanPressure { nominal_size } => nominal_size,
@@ -157,6 +157,7 @@ impl Sweep<'_> {
         let stress = |state: &SlipState| state.shear.value / state.area_fraction.value;
         let largest = curve.iter().map(stress).fold(0.0, f64::max);
         let slip_rate = self.query.slip_rates[rate];
-        (largest > 0.0 && slip_rate > 0.0).then_some(self.settings.inception_time? * largest / slip_rate)
+        (largest > 0.0 && slip_rate > 0.0)
+            .then_some(self.settings.scene.inception_time? * largest / slip_rate)
     }
 }

@@ -1,7 +1,7 @@
 //! Limits of validity that a prediction names.
 
 use super::*;
-use crate::integral::law_source::LawSource;
+use crate::integral::law_source::{LawSource, SceneConstants};
 use std::f64::consts::PI;
 
 #[test]
@@ -69,13 +69,13 @@ fn contacts_that_hardly_slide_are_warned_of() {
 fn a_nominal_contact_that_warms_like_its_contacts_is_warned_of() {
     let steel = LawSource::open("steel-4340", None, None, false).unwrap();
     // √(44.5·7850·475).
-    let effusivity = steel.effusivity.unwrap();
+    let effusivity = steel.scene.effusivity.unwrap();
     assert!((effusivity / 12881.4 - 1.0).abs() < 1e-5, "{effusivity}");
     let surface = surface(Box::new(Gaussian::new(1e-6)));
     let found = |pressure: f64, slip_rate: f64, interaction| {
         let loading = NormalLoading::Pressure(vec![pressure]);
         let query = Query { slip_rates: vec![slip_rate], interaction, ..query(loading) };
-        let settings = Settings { effusivity: Some(effusivity), ..Settings::default() };
+        let settings = Settings { scene: steel.scene, ..Settings::default() };
         let found = predict(steel.law.as_ref(), &surface, &query, &settings, &|_, _| ()).unwrap();
         let length = matching!(found.warnings, Warning::NominalHeating { length, .. } => *length).next();
         let cell = &found.friction[0][0];
@@ -107,7 +107,8 @@ fn fast_inceptions_and_uncertain_steady_friction_draw_warnings() {
     let law = PowerLaw { last_slip: 20.0, steady, ..PowerLaw::hertz() };
     let surface = surface(Box::new(Gaussian::new(1e-6)));
     let query = Query { slip_rates: vec![0.5, 1.0], ..query(NormalLoading::Pressure(vec![1e6])) };
-    let settings = Settings { inception_time: Some(4e-8), ..Settings::default() };
+    let scene = SceneConstants { inception_time: Some(4e-8), ..SceneConstants::default() };
+    let settings = Settings { scene, ..Settings::default() };
     let found = predict(&law, &surface, &query, &settings, &|_, _| ()).unwrap();
     // A mean shear stress of 1e8 Pa: 8 at 0.5 m/s, 4 at 1 m/s.
     let fast: Vec<(f64, f64)> =
