@@ -11,8 +11,7 @@ use crate::friction::{Prediction, PredictionError, Settings, predict};
 use crate::integral::law_source::{LawSource, LawSourceError};
 use crate::surface::file::{SurfaceFile, SurfaceFileError};
 use crate::surface::query::{NormalLoading, Query, Surface};
-use crate::topography::characterize::Characterization;
-use crate::topography::nayak::Nayak;
+use crate::topography::characterize::{Characterization, SummitsAt};
 use crate::topography::report;
 use tables::closed_forms::ElasticPlastic;
 use tables::netcdf::input::Override;
@@ -208,7 +207,7 @@ impl Case {
 
     /// The surface with other cut-offs of the topography (m), and the same keys in place of those of the summits.
     fn at_other_cutoffs(&self, measured: &Characterization) -> Vec<(f64, Surface)> {
-        let surface = |(cutoff, summits): (f64, Nayak)| {
+        let surface = |SummitsAt { cutoff, summits }| {
             let file = self.file.with_text(report::sections_of(&summits)).ok()?;
             Some((cutoff, file.surface))
         };

@@ -87,7 +87,7 @@ pub struct TwoFaces {
     pub other_cutoffs: Vec<SummitsAt>,
 }
 
-/// Summits of the sum with another cut-off.
+/// Summits in contact with another cut-off.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct SummitsAt {
     /// m.
@@ -104,11 +104,12 @@ impl Characterization {
         }
     }
 
-    /// The same with other cut-offs (m).
-    pub fn summits_at_other_cutoffs(&self) -> Vec<(f64, Nayak)> {
+    /// The same with other cut-offs.
+    pub fn summits_at_other_cutoffs(&self) -> Vec<SummitsAt> {
+        let of_face = |at: &AtCutoff| SummitsAt { cutoff: at.cutoff, summits: at.summits };
         match &self.two_faces {
-            Some(both) => both.other_cutoffs.iter().map(|at| (at.cutoff, at.summits)).collect(),
-            None => self.other_cutoffs.iter().map(|at| (at.cutoff, at.summits)).collect(),
+            Some(both) => both.other_cutoffs.clone(),
+            None => self.other_cutoffs.iter().map(of_face).collect(),
         }
     }
 }
@@ -142,8 +143,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
     if detrend == Detrend::Plane {
         warnings.extend(plausibility::form(&topography));
     }
-    let count = topography.heights.len() as f64;
-    let rms_height = (topography.heights.iter().map(|z| z * z).sum::<f64>() / count).sqrt();
+    let rms_height = topography.mean_square().sqrt();
     let spectrum = Spectrum::of(&topography, options.window);
     let (reliability_limit, limited_by) = spectrum.reliability_limit();
     let cutoff = options.cutoff.unwrap_or(reliability_limit);
@@ -191,9 +191,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
 
 /// Shortest and longest cut-off that a topography allows, m.
 fn cutoffs(topography: &Topography) -> (f64, f64) {
-    let size = topography.size();
-    let extent = if topography.is_profile() { size.1 } else { size.0.min(size.1) };
-    (2.0 * topography.pixel(), LONGEST_CUTOFF * extent)
+    (2.0 * topography.pixel(), LONGEST_CUTOFF * topography.shorter_extent())
 }
 
 /// Summits from the moments, or why there are none.

@@ -81,6 +81,17 @@ impl Topography {
         (self.rows as f64 * self.row_step, self.columns as f64 * self.column_step)
     }
 
+    /// The shorter extent; of a profile that along it, m.
+    pub fn shorter_extent(&self) -> f64 {
+        let (across, along) = self.size();
+        if self.is_profile() { along } else { across.min(along) }
+    }
+
+    /// Mean square of the heights, m².
+    pub(crate) fn mean_square(&self) -> f64 {
+        self.heights.iter().map(|z| z * z).sum::<f64>() / self.heights.len() as f64
+    }
+
     /// Share of the points without a value.
     pub fn undefined(&self) -> f64 {
         self.heights.iter().filter(|height| height.is_nan()).count() as f64 / self.heights.len() as f64

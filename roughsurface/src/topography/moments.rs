@@ -161,7 +161,7 @@ impl Filtered<'_> {
         let removed = self.mean(|place| {
             heights[place / width * columns + place % width].powi(2) - filtered[place].re.powi(2)
         });
-        heights.iter().map(|z| z * z).sum::<f64>() / heights.len() as f64 - removed
+        self.topography.mean_square() - removed
     }
 
     /// ⟨(∇²z)²⟩, and the mean squares of the curvatures along a direction at that angle to the rows and across it.

@@ -57,12 +57,11 @@ pub struct Spectrum {
 
 impl Spectrum {
     pub fn of(topography: &Topography, window: Window) -> Self {
-        let (across, along) = topography.size();
         let mut spectrum = Self {
             waves: window.waves(topography),
             profile: topography.is_profile(),
             pixel: topography.pixel(),
-            longest: if topography.is_profile() { along } else { across.min(along) },
+            longest: topography.shorter_extent(),
             independent: 0.5 * window.independent(topography),
             noise: None,
         };

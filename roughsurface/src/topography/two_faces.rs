@@ -99,8 +99,7 @@ mod tests {
         let rough = SelfAffine { points: 512, shortest_pixels: 2.0, ..SelfAffine::default() };
         let [one, mut two] = [rough.map(1), SelfAffine { hurst: 0.5, ..rough }.map(2)];
         // The other face is half as rough.
-        let scale = |map: &Topography| map.heights.iter().map(|z| z * z).sum::<f64>().sqrt();
-        let factor = 0.5 * scale(&one) / scale(&two);
+        let factor = 0.5 * (one.mean_square() / two.mean_square()).sqrt();
         two.heights.iter_mut().for_each(|height| *height *= factor);
         for stretch in [1.0, 3.0] {
             let [one, two] = [&one, &two].map(|map| stretched(map, stretch));
@@ -112,9 +111,9 @@ mod tests {
             near(both.in_contact().1, &exact.summits, 0.03);
             let others = both.summits_at_other_cutoffs();
             assert_eq!(others.len(), 2);
-            for ((cutoff, summits), exact) in others.iter().zip(&exact.other_cutoffs) {
-                assert_eq!(*cutoff, exact.cutoff);
-                near(summits, &exact.summits, 0.04);
+            for (found, exact) in others.iter().zip(&exact.other_cutoffs) {
+                assert_eq!(found.cutoff, exact.cutoff);
+                near(&found.summits, &exact.summits, 0.04);
             }
             // Crossed lays make a surface with more curvature, which is said.
             let lays = matching!(both.warnings, Warning::ParallelLays { radius, .. } => *radius).next();
