@@ -127,13 +127,16 @@ fn a_measured_set_counts_its_summits() {
     assert!(Sample::new(vec![1e-7; 40]).is_none());
 }
 
+/// What is read of a file with that text.
+fn read<T>(text: &str, read: fn(&Path) -> Result<T, String>) -> Result<T, String> {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    std::fs::write(&file, text).unwrap();
+    read(file.path())
+}
+
 #[test]
 fn pairs_of_positions_and_heights_are_no_sample() {
-    let file = tempfile::NamedTempFile::new().unwrap();
-    let read = |text: &str| {
-        std::fs::write(&file, text).unwrap();
-        Sample::read(file.path())
-    };
+    let read = |text: &str| read(text, Sample::read);
     let message = read("# x z\n0 1e-7\n1e-6 2e-7\n\n2e-6 3e-7\n").unwrap_err();
     assert!(message.contains("has two numbers in every line"), "{message}");
     for heights in [
@@ -149,11 +152,7 @@ fn pairs_of_positions_and_heights_are_no_sample() {
 
 #[test]
 fn histograms_are_read_with_the_upper_edge_last() {
-    let file = tempfile::NamedTempFile::new().unwrap();
-    let read = |text: &str| {
-        std::fs::write(&file, text).unwrap();
-        Histogram::read(file.path())
-    };
+    let read = |text: &str| read(text, Histogram::read);
     let heights = read("# edge, count\n-1e-6, 3\n0, 1\n\n1e-6\n").unwrap();
     assert_eq!(heights.support(), (-1e-6, 1e-6));
     assert_eq!((heights.tail(0.0), heights.tail(0.5e-6)), (0.25, 0.125));
