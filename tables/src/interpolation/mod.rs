@@ -324,10 +324,7 @@ impl AsperityLaw for InterpolatedTable {
         let Some(per_area) = per_area.filter(|_| interference > 0.0) else { return Ok(per_area) };
         let inception = self.estimate(Quantity::InceptionSlip, radius, interference, slip_rate)?;
         let area = self.response(radius, interference, slip_rate, inception.value)?.area;
-        Ok(Some(Estimate {
-            value: per_area.value * area.value,
-            error: per_area.error * area.value + per_area.value.abs() * area.error,
-        }))
+        Ok(Some(per_area.times(area)))
     }
 }
 
