@@ -110,19 +110,17 @@ fn a_fast_inception_is_stated_once() {
 fn a_hold_keeps_the_heat_partition_of_the_slip_before() {
     let steps = "loading.steps=[{slip_rate=10.0, slip_distance=0.5}, {slip_rate=-1.0, slip_distance=0.1}, {hold=1e-3}]";
     let changes = ["counterface.preset=\"copper\"", "loading.interference=5", steps];
-    let scene = coarse_scene("steel-4340", &changes);
-    let outcome = simulate(&scene, &Unwatched).unwrap();
+    let outcome = simulate(&coarse_scene("steel-4340", &changes), &Unwatched).unwrap();
     let of_step = |step: f64| -> Vec<f64> {
         let states = outcome.slide.states().filter(|state| state[Quantity::ProgrammeStep] == step);
         states.map(|state| state[Quantity::HeatPartition]).collect()
     };
     let (slip, hold) = (of_step(2.0), of_step(3.0));
-    let last = *slip.last().unwrap();
-    assert!(slip.len() > 3 && slip[slip.len() - 2] != last, "{slip:?}");
-    assert!(hold.len() > 3 && hold.iter().all(|partition| *partition == last), "{hold:?}");
+    let [.., before, last] = slip[..] else { panic!("{slip:?}") };
+    assert!(before != last && hold.len() > 3 && hold.iter().all(|now| *now == last), "{slip:?} {hold:?}");
     // 0.5 a₀ forwards and 0.1 a₀ backwards.
-    let [slip, path] = [Quantity::Slip, Quantity::SlipAccumulated].map(|of| outcome.slide.last(of).unwrap());
-    assert!((path / slip - 1.5).abs() < 1e-12, "{slip:e} {path:e}");
+    let [slip, path] = [Quantity::Slip, Quantity::SlipAccumulated].map(|of| outcome.slide.last(of));
+    assert!((path.unwrap() / slip.unwrap() - 1.5).abs() < 1e-12, "{slip:?} {path:?}");
 }
 
 /// Without heat nothing depends on time: a hold of any length leaves the contact as it is.

@@ -71,6 +71,25 @@ pub struct ModellingError {
 }
 
 impl ModellingError {
+    /// The part of a hemisphere in place of a half-space on the side of the counterface.
+    fn of_hemisphere(&self, quantity: Quantity) -> f64 {
+        use Quantity::*;
+        let in_partial_slip = SLIP_OF_HEMISPHERE * self.friction_exponent;
+        self.finite_counterface
+            * match quantity {
+                Load | LoadPress => LOAD_OF_HEMISPHERE,
+                EnergyRelease | InceptionSlip => SLIP_OF_HEMISPHERE,
+                Area | AreaPress => AREA_OF_HEMISPHERE,
+                Friction | FrictionStatic => AREA_OF_HEMISPHERE + in_partial_slip,
+                // The excess of the area is in the friction, and makes up for a part of that of the load.
+                Mu | MuStatic | MuPeak | MuMean | MuSteady => {
+                    LOAD_OF_HEMISPHERE - AREA_OF_HEMISPHERE + in_partial_slip
+                }
+                ContactRadius => 0.5 * AREA_OF_HEMISPHERE,
+                _ => 0.0,
+            }
+    }
+
     /// Change of a quantity relative to its value (to its rise, for temperatures).
     ///
     /// Heat changes quantities of the slide only: at inception the temperature has hardly risen. Finite strain changes
@@ -103,20 +122,6 @@ impl ModellingError {
                 Area | Friction | FrictionStatic => AREA_OF_SLIDE,
                 _ => 0.0,
             };
-        let in_partial_slip = SLIP_OF_HEMISPHERE * self.friction_exponent;
-        let hemisphere = self.finite_counterface
-            * match quantity {
-                Load | LoadPress => LOAD_OF_HEMISPHERE,
-                EnergyRelease | InceptionSlip => SLIP_OF_HEMISPHERE,
-                Area | AreaPress => AREA_OF_HEMISPHERE,
-                Friction | FrictionStatic => AREA_OF_HEMISPHERE + in_partial_slip,
-                // The excess of the area is in the friction, and makes up for a part of that of the load.
-                Mu | MuStatic | MuPeak | MuMean | MuSteady => {
-                    LOAD_OF_HEMISPHERE - AREA_OF_HEMISPHERE + in_partial_slip
-                }
-                ContactRadius => 0.5 * AREA_OF_HEMISPHERE,
-                _ => 0.0,
-            };
         let shared =
             self.shared_heat.map_or(0.0, |SharedHeat { mean_rise, softening, load }| match quantity {
                 Mu | MuMean | MuSteady | Friction => softening + load,
@@ -129,7 +134,7 @@ impl ModellingError {
         localised
             + press
             + slide
-            + hemisphere
+            + self.of_hemisphere(quantity)
             + shared
             + match quantity {
                 Mu | MuPeak | MuMean | MuSteady => softening + load + self.strain,
