@@ -46,9 +46,8 @@ fn line((metal, omega, rates, before): (&str, f64, [f64; 2], f64)) -> anyhow::Re
     let [slow, fast] = rates;
     let last = SLIPS[SLIPS.len() - 1];
     let table = shipped::table(metal)?;
-    let counterface = table.metadata().counterface.replace(", ", "\n");
     let text = format!(
-        "[material]\npreset = \"{metal}\"\n[counterface]\n{counterface}\n[asperity]\nradius = {RADIUS}\n\
+        "[material]\npreset = \"{metal}\"\n[counterface]\npreset = \"{metal}\"\nelastic = false\n[asperity]\nradius = {RADIUS}\n\
          [loading]\ninterference = {omega}\nsteps = [{{ slip_rate = {slow:?}, slip_distance = {before:?} }}, {{ slip_rate = {fast:?}, slip_distance = {last:?} }}]\n"
     );
     let run = simulate(&parse_scene(&text, "this example", &[])?, &Unwatched)?;

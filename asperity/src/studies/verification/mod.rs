@@ -12,6 +12,7 @@
 mod counterface;
 mod elastic_plastic;
 mod full_stick;
+mod half_space;
 mod heat_source;
 mod hertz;
 mod interface_law;
