@@ -13,7 +13,7 @@ use crate::solver::harmonic::HarmonicFactors;
 /// term so far: the one that remains may be zero.
 const FLUX_ITERATIONS: usize = 30;
 const FLUX_TOLERANCE: f64 = 1e-7;
-/// Reduction of the residual in the solution for a flux, which starts from that for the flux before.
+/// Reduction of the residual in the solution for a further flux, which starts from that for the flux before.
 const REDUCTION: f64 = 1e-2;
 
 /// M + γΔt K.
@@ -145,7 +145,8 @@ impl Step<'_> {
         for _ in 0..FLUX_ITERATIONS {
             let heat = Drawn::new(self.heat, disc, flux, at_start);
             let start = before.as_ref().map_or(guess, |(.., stage)| &stage.rise);
-            let solved = solver.solve(&Step { heat: &heat, ..*self }, rhs, start, REDUCTION)?;
+            let reduction = if before.is_some() { REDUCTION } else { 0.0 };
+            let solved = solver.solve(&Step { heat: &heat, ..*self }, rhs, start, reduction)?;
             let rise = disc.profile_of_values(|point| rise_of(&solved.rise, point));
             let generated = frictional(&solved.rise);
             let taken = heat.flux(generated);
