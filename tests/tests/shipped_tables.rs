@@ -96,7 +96,11 @@ fn below_their_first_row_tables_agree_with_runs() {
     for (metal, flat, share, slip_rate) in cold.into_iter().chain(hot) {
         let table = shipped::table(&format!("{metal}{flat}")).unwrap();
         let Metadata { asperity_radius: radius, counterface, .. } = table.metadata();
-        let (radius, counterface) = (*radius, counterface.replace(", ", "\n"));
+        let radius = *radius;
+        let counterface = match counterface.as_str() {
+            "" => String::new(),
+            _ => format!("preset = \"{metal}\"\nelastic = false"),
+        };
         let (first, slip_distance) = (table.axes().interference[0], table.axes().slip.last().unwrap());
         let text = format!(
             "[material]\npreset = \"{metal}\"\n[counterface]\n{counterface}\n[asperity]\nradius = {radius}\n[loading]\nslip_rate = {slip_rate}\n\
