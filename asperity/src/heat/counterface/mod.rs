@@ -19,8 +19,8 @@
 //! is taken in √(t − t'), in which the integrand is smooth.
 //!
 //! Where k and c vary with temperature, θ stands for Kirchhoff's potential Θ = ∫k/k₀ dθ, in which steady conduction is linear, and
-//! t for ∫κ/κ₀ dt with the diffusivity at a share ([`varying_counterface`]) of the mean potential over the contact. H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids*
-//! (1959), §10.3–10.7. Chapter "Heat" of the book.
+//! t for ∫κ/κ₀ dt with the diffusivity at a share ([`varying_counterface`]) of the mean potential over the contact. H. S. Carslaw &
+//! J. C. Jaeger, *Conduction of Heat in Solids* (1959), §2.16, §10.3–10.7. Chapter "Heat" of the book.
 
 mod overlap;
 
