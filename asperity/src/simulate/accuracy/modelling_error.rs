@@ -183,6 +183,19 @@ mod tests {
         }
     }
 
+    /// Ti-6Al-4V on itself, Coulomb friction of 0.5, 0.5 ω_c (a/R = 0.02488), 33.0 N, slip of 0.004 a: Q = 5.53 N; Cattaneo and
+    /// Mindlin have 5.91 N at 0.256 of the displacement of gross slip x, and d ln Q/d ln s = 1.5 x √(1 − x)/(1 − (1 − x)^1.5).
+    #[test]
+    fn the_compliance_of_the_hemisphere_is_covered_in_partial_slip() {
+        let x: f64 = 0.256;
+        let friction_exponent = 1.5 * x * (1.0 - x).sqrt() / (1.0 - (1.0 - x).powf(1.5));
+        let error =
+            ModellingError { finite_counterface: 0.5 * 0.02488, friction_exponent, ..Default::default() };
+        let stated = COVERAGE_FACTOR * OF_BOUND * error.share(Quantity::Friction);
+        let change = 5.91 / 5.53 - 1.0;
+        assert!(change <= stated && stated <= 1.6 * change, "{change} {stated}");
+    }
+
     /// Changes of the mean rise by `examples/peers/sliding_heat.py --cells 48` (64 for the first), in %, at k₂/k and Va/(2κ₂): the
     /// largest ones, steady or at κt/a² = 0.2 to 1.
     #[test]

@@ -79,6 +79,7 @@ pub fn varying() -> Vec<Row> {
     .into()
 }
 
+/// Rises and height of the surface at constant properties.
 pub fn constant() -> Vec<Row> {
     let exact = Tolerance::relative(2e-4, "quadrature");
     let at_a_point = Tolerance::relative(1e-3, "quadrature; places");
