@@ -58,7 +58,7 @@ impl StageSolver for ContactIteration {
                 self.0 = None;
             }
         }
-        if residual.is_nan() || residual > ROUNDING {
+        if residual > ROUNDING {
             return Err(HeatError::NotConverged { residual });
         }
         factors.backward(&mut modal);
@@ -100,6 +100,9 @@ impl ContactIteration {
                 let value: f64 = (0..step.harmonics_of(ring))
                     .map(|m| table[m * columns + j] * contact[ring * columns + m])
                     .sum();
+                if !value.is_finite() {
+                    return Err(HeatError::NotConverged { residual: value });
+                }
                 let rise = &mut rise[ring * columns + j];
                 change = change.max((value - *rise).abs());
                 largest = largest.max(value.abs());

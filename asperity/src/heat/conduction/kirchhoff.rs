@@ -87,15 +87,17 @@ impl StageProblem<'_> {
             let slopes = self.slopes(&now.stage);
             let factor = self.factor(&now.stage)?;
             self.precondition(&factor, &now.residual, &mut direction);
-            let norm = dot(&now.residual, &direction).max(0.0).sqrt();
+            let squared = dot(&now.residual, &direction);
+            // Before `max`, which takes a number for NaN.
+            if !squared.is_finite() {
+                break;
+            }
+            let norm = squared.max(0.0).sqrt();
             let first = *first.get_or_insert(norm);
             let reference = self.energy_norm(&now, &slopes).max(first);
             let tolerance = (TOLERANCE * reference).max(reduction * first);
             if norm <= tolerance || (norm <= ROUNDING * reference && norm > 0.5 * last) {
                 return Ok(now.stage);
-            }
-            if !norm.is_finite() {
-                break;
             }
             last = norm;
             // Forcing term: no more accuracy than the next Newton step can use.

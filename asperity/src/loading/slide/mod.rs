@@ -325,8 +325,9 @@ impl<'a> Slide<'a> {
         if strain > LARGEST_STRAIN_IN_STICK && stick_fraction > STILL_STICKING {
             return Err(self.shears_in_stick(strain, stick_fraction));
         }
-        let rise =
-            solved.heated.iter().flat_map(|(rise, _)| rise).fold(0.0, |most: f64, rise| most.max(*rise));
+        // NaN, if any is.
+        let highest = |most: f64, &rise: &f64| if rise <= most { most } else { rise };
+        let rise = solved.heated.iter().flat_map(|(rise, _)| rise).fold(0.0, highest);
         invariants::check(self.problem, self.elastic_of_press, self.last(), state, rise)?;
         let contact = &self.mechanics.contact;
         if contact.at_rim(&contact.trial) {

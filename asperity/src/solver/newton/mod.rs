@@ -166,11 +166,13 @@ impl Mechanics {
             self.residual(&mut now, flat, control, &mut residual);
             self.update_preconditioner(control)?;
             self.precondition(&residual, &mut direction);
-            let norm = dot(&residual, &direction).max(0.0).sqrt();
-            let reference = (0.5 * self.contact.load(&self.contact.trial) * flat.interference).sqrt();
-            if !norm.is_finite() {
+            let squared = dot(&residual, &direction);
+            // Before `max`, which takes a number for NaN.
+            if !squared.is_finite() {
                 return Err(StepFailure::NotFinite);
             }
+            let norm = squared.max(0.0).sqrt();
+            let reference = (0.5 * self.contact.load(&self.contact.trial) * flat.interference).sqrt();
             let scale = reference.max(f64::MIN_POSITIVE);
             last = norm / scale;
             let is_last = is_stagnant || iteration + 1 == NEWTON_LIMIT;

@@ -89,6 +89,19 @@ fn left(mechanics: &mut Mechanics, residual: &[f64], direction: &[f64]) -> f64 {
     dot(&rest, &answer)
 }
 
+/// An inverted element has forces that are no numbers.
+#[test]
+fn a_step_from_no_numbers_is_refused() {
+    let mut mechanics = sheared(5.0 * FIRST_YIELD, false);
+    let limit = vec![f64::INFINITY; mechanics.contact.len()];
+    let flat = FlatPosition { interference: 5.0 * FIRST_YIELD, displacement: 0.0 };
+    let start = vec![f64::NAN; mechanics.displacement.len()];
+    let failure = mechanics.solve(flat, LoadingControl::Interference, start, &|| false, |_, _, _| {
+        Some(CouplingData { limit: limit.clone(), rise: None, elevation: None, converged: true })
+    });
+    assert_eq!(failure.unwrap_err().to_string(), StepFailure::NotFinite.to_string());
+}
+
 /// The residual of the solution is computed with products of the whole tangent, which the solver never forms.
 #[test]
 fn solution_in_the_inelastic_zone_solves_the_whole_system() {
