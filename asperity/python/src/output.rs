@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
-use tables::netcdf::{OutputError, check_irreplaceable, check_outputs, check_results, write_atomically};
+use tables::netcdf::{
+    OutputError, check_irreplaceable, check_of_others, check_outputs, check_results, write_atomically,
+};
 
 use crate::errors;
 
@@ -13,13 +15,13 @@ use crate::errors;
 pub fn check_output(output: PathBuf, inputs: Vec<PathBuf>, is_table: bool) -> PyResult<()> {
     let inputs: Vec<(&str, &Path)> = inputs.iter().map(|path| ("an input of the result", &**path)).collect();
     let outputs = [("the output", &*output)];
-    let checked = check_outputs(&inputs, &outputs);
-    refused(checked.and_then(|()| if is_table { Ok(()) } else { check_irreplaceable(&outputs) }), &outputs)
+    let irreplaceable = if is_table { check_of_others } else { check_irreplaceable };
+    refused(check_outputs(&inputs, &outputs).and_then(|()| irreplaceable(&outputs)), &outputs)
 }
 
 /// The same of the files of a table with their roles.
 pub fn distinct(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> PyResult<()> {
-    refused(check_results(inputs, outputs), outputs)
+    refused(check_results(inputs, outputs).and_then(|()| check_of_others(outputs)), outputs)
 }
 
 fn refused(checked: Result<(), OutputError>, outputs: &[(&str, &Path)]) -> PyResult<()> {

@@ -4,22 +4,22 @@ use std::path::{Path, PathBuf};
 
 use tables::figures::Figure;
 use tables::netcdf::program::{Failure, save};
-use tables::netcdf::{check_irreplaceable, check_results, probe};
+use tables::netcdf::{check_irreplaceable, check_of_others, check_results, probe};
 use tables::table::Table;
 
-/// Whether every output of a command can be written, and replaces neither an input, nor another output, nor a table. Each file is
-/// given with its role; that of a figure is its option, `--plot`.
+/// Whether every output of a command can be written, and replaces neither an input, nor another output, nor a table, nor data of
+/// another program. Each file is given with its role; that of a figure is its option, `--plot`.
 pub fn check(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), Failure> {
     check_with_table(inputs, outputs)?;
     check_irreplaceable(outputs).map_err(Failure::input)
 }
 
-/// The same of a command that makes a table.
+/// The same of a command that makes a table, which may replace one.
 pub fn check_with_table(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), Failure> {
     for (_, plot) in outputs.iter().filter(|(role, _)| *role == PLOT) {
         Figure::check_extension(plot).map_err(Failure::input)?;
     }
-    check_results(inputs, outputs).map_err(Failure::input)
+    check_results(inputs, outputs).and_then(|()| check_of_others(outputs)).map_err(Failure::input)
 }
 
 /// Role of the file that the results are written to.

@@ -80,9 +80,9 @@ fn tabulate_request(
     })?;
     let mut spent = tabulation.timings();
     spent.since(Kernel::Output, clock);
-    journal.remove().map_err(Failure::run)?;
+    let removed = journal.remove().map_err(Failure::run);
     let drawn = outputs::plot(&table, &arguments.plot, &arguments.panel);
-    Failure::all([drawn, report(&tabulation, &table, &spent, arguments, display)])?;
+    Failure::all([removed, drawn, report(&tabulation, &table, &spent, arguments, display)])?;
     match tabulation.failures().count() {
         0 => Ok(()),
         failed => Err(Failure::Run(failure(failed, wanted(&tabulation), &arguments.output))),

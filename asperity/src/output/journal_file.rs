@@ -76,9 +76,9 @@ impl JournalFile {
         Ok(())
     }
 
-    /// Removes the file.
+    /// Removes the file, unless the name leads to another by now.
     pub fn remove(self) -> io::Result<()> {
-        std::fs::remove_file(&self.path)
+        if leads_to(&self.path, &self.file) { std::fs::remove_file(&self.path) } else { Ok(()) }
     }
 }
 

@@ -72,6 +72,11 @@ fn merged_shards_are_the_undivided_table_bit_for_bit() {
     std::fs::write(folder.join("notes.nc"), "notes").unwrap();
     let replacing = ended(&asperity(&folder, "merge 1.nc 2.nc -o notes.nc"), 0);
     assert!(replacing.contains("this table replaces the file"), "{replacing}");
+    // What cannot be computed again is not replaced.
+    std::fs::write(folder.join("map.x3p"), b"PK\x03\x04 of another program").unwrap();
+    for command in ["merge 1.nc 2.nc -o map.x3p", "tabulate request.toml -o map.x3p"] {
+        crate::refused(&folder, command, &["map.x3p: holds data of another program"]);
+    }
     crate::refused(
         &folder,
         "merge 1.nc 2.nc -o merged.nc.part",

@@ -43,20 +43,26 @@ pub fn check_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Res
 }
 
 /// Whether no output of a command that makes other files is a table, which took hours to compute and whose name is easily given
-/// again, nor data of another program, which cannot be computed at all: a netCDF file, one that begins as those of
+/// again, nor what [`check_of_others`] refuses.
+pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
+    for (_, output) in outputs {
+        if DatasetReader::open(output).is_ok_and(|file| text(&file, "schema") == SCHEMA) {
+            let why = "is a table, which only `asperity tabulate` and `asperity merge` replace; choose another name, or delete it";
+            return refused(output, why);
+        }
+    }
+    check_of_others(outputs)
+}
+
+/// Whether no output is data of another program, which cannot be computed again: a netCDF file, one that begins as those of
 /// `BINARY_DATA`, or a text with the extension of measured heights that does not begin as those of this project; nor a TOML file
 /// that was written by hand.
-pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
+pub fn check_of_others(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     for (_, output) in outputs {
         let start = beginning(output);
         let mut of_others = BINARY_DATA.iter().any(|magic| start.starts_with(magic));
         if let Ok(file) = DatasetReader::open(output) {
-            let text = |name| file.optional_text(name).ok().flatten().unwrap_or_default();
-            if text("schema") == SCHEMA {
-                let why = "is a table, which only `asperity tabulate` and `asperity merge` replace; choose another name, or delete it";
-                return refused(output, why);
-            }
-            of_others = !PROGRAMS.iter().any(|program| text("source").starts_with(program));
+            of_others = !PROGRAMS.iter().any(|program| text(&file, "source").starts_with(program));
         }
         let is = |extensions: &[&str]| {
             let extension = output.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
@@ -99,6 +105,11 @@ const TEXTS: [&str; 6] = [
     "# Heights of summits",
     "# Summits of ",
 ];
+
+/// A text attribute; empty if there is none.
+fn text(file: &DatasetReader, name: &str) -> String {
+    file.optional_text(name).ok().flatten().unwrap_or_default()
+}
 
 /// The first bytes of a regular file; none of another.
 fn beginning(path: &Path) -> Vec<u8> {
