@@ -119,10 +119,8 @@ impl<'a> Conditions<'a> {
     /// See [`ModellingError::slide_coupling`].
     fn slide_coupling(&self, run: &Run) -> f64 {
         let Pressed { scene, problem, .. } = self.pressed;
-        let [friction, area] =
-            [Quantity::Friction, Quantity::Area].map(|quantity| run.values.value(quantity));
-        let mobilised = friction / area / (SHEAR_RATIO * scene.material.yield_strength);
-        let coupling = problem.coupling_of_flat.max(0.0) * mobilised.powi(2) / scene.loading.interference;
+        let coupling = problem.coupling_of_flat.max(0.0) * (run.largest_traction() / SHEAR_RATIO).powi(2)
+            / scene.loading.interference;
         if coupling.is_finite() { coupling } else { 0.0 }
     }
 

@@ -57,6 +57,11 @@ impl Run {
         if self.history.len() > 1 { strain } else { 0.0 }
     }
 
+    /// Largest mean shear traction |Q|/A, over the initial yield strength.
+    pub fn largest_traction(&self) -> f64 {
+        self.history.iter().map(|state| (state.friction / state.area).abs()).fold(0.0, f64::max)
+    }
+
     /// d ln Q/d ln s over the displacement of the last step, of a contact that has not slid; 0 of one that has.
     pub fn friction_exponent(&self) -> f64 {
         let [.., before, last] = &self.history[..] else { return 0.0 };

@@ -154,10 +154,10 @@ impl<'a> Runner<'a> {
     pub fn judge(&self, ladder: &Ladder) -> Option<ErrorBudget> {
         let run = ladder.result();
         let auxiliary = auxiliary_values(&ladder.auxiliary).filter(|_| run.failure.is_none())?;
-        let alike = match run.resolution.sectors == ladder.start.sectors {
-            true => &ladder.auxiliary[0],
-            false => &ladder.auxiliary[1],
-        };
+        // That of the coarse mesh with as many sectors, if there is one.
+        let [coarse, other_sectors, ..] = &ladder.auxiliary[..] else { return None };
+        let has_as_many = other_sectors.resolution.sectors == run.resolution.sectors;
+        let alike = if has_as_many { other_sectors } else { coarse };
         let pair = [run, ladder.coarse.as_ref().unwrap_or(alike)]
             .map(|run| RunValues { resolution: &run.resolution, values: &run.values });
         let modelling_error = self.conditions.modelling_error(run);

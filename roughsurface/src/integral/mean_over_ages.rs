@@ -8,7 +8,15 @@ use tables::law::{LookupError, Response};
 pub(super) struct MeanOverAges {
     /// With the relative error of Q/P times Q.
     sum: Response,
-    quadrature_error: f64,
+    quadrature_error: QuadratureError,
+}
+
+/// Errors of the quadrature over ages, a sum over ranges.
+#[derive(Default)]
+struct QuadratureError {
+    load: f64,
+    friction: f64,
+    area: f64,
 }
 
 impl MeanOverAges {
@@ -21,14 +29,21 @@ impl MeanOverAges {
         if weight <= 0.0 {
             return Ok(());
         }
+        let [mut load, mut friction, mut area] = [0.0; 3];
         // The age is u³ of the range: friction rises steeply at first, and changes with √s.
         for ((abscissa, of_point), excess) in MANY.points().zip(MANY.excess) {
             let u = 0.5 * (1.0 + abscissa);
             let of_point = 1.5 * of_point * u * u * weight;
             let here = response(u.powi(3))?;
-            self.quadrature_error += of_point * excess * here.friction.value;
+            load += of_point * excess * here.load.value;
+            friction += of_point * excess * here.friction.value;
+            area += of_point * excess * here.area.value;
             self.add(of_point, &here);
         }
+        let error = &mut self.quadrature_error;
+        error.load += load.abs();
+        error.friction += friction.abs();
+        error.area += area.abs();
         Ok(())
     }
 
@@ -49,12 +64,13 @@ impl MeanOverAges {
 
     /// The mean, with the error of the quadrature.
     pub(super) fn response(self) -> Response {
-        let Self { mut sum, quadrature_error } = self;
-        sum.friction.error += quadrature_error.abs();
-        // Relative to the mean friction.
-        let coefficient_error = sum.coefficient_error + quadrature_error.abs();
-        let friction = sum.friction.value;
-        sum.coefficient_error = if friction == 0.0 { 0.0 } else { coefficient_error / friction.abs() };
+        let Self { mut sum, quadrature_error: QuadratureError { load, friction, area } } = self;
+        sum.load.error += load;
+        sum.friction.error += friction;
+        sum.area.error += area;
+        let relative = |error: f64, value: f64| if value == 0.0 { 0.0 } else { error / value.abs() };
+        sum.coefficient_error =
+            relative(sum.coefficient_error + friction, sum.friction.value) + relative(load, sum.load.value);
         sum
     }
 }

@@ -166,9 +166,18 @@ impl Nodes {
                 at[along] = n;
                 value(at)
             };
-            // End points cannot be left out: they take the misfit of their neighbour.
-            let inner = point[along].clamp(1, length.saturating_sub(2).max(1));
-            left_out(length, &without, line, inner).unwrap_or_default()
+            // End points cannot be left out, nor those beside an absent one: they take the misfit of the nearest that can.
+            let own = point[along];
+            let mut others: Vec<usize> = (1..length.saturating_sub(1)).collect();
+            others.sort_by_key(|other| own.abs_diff(*other));
+            let known = others.into_iter().find_map(|other| left_out(&without, line, other));
+            let neighbours = [own.checked_sub(1), Some(own + 1).filter(|next| *next < length)];
+            let of_pair = || {
+                let mut pairs =
+                    neighbours.into_iter().flatten().filter_map(|next| Some((line(own)?, line(next)?)));
+                pairs.next().map(|(one, other)| two_means(&one, &other))
+            };
+            known.or_else(of_pair).unwrap_or_default()
         };
         points.map(misfit).collect()
     }
@@ -239,26 +248,23 @@ fn without(axis: &[f64], own: usize) -> (Vec<f64>, f64) {
     ([&axis[..own], &axis[own + 1..]].concat(), axis[own])
 }
 
-/// Relative misfit of the point `own` of a line of `length` points when predicted from the others.
+/// Where no point of a line can be left out: the difference of the two possible means in the middle of two, as the misfit of an
+/// interval twice as long.
+fn two_means(one: &Values, other: &Values) -> Errors {
+    let (a, b) = (with_coefficient(one), with_coefficient(other));
+    std::array::from_fn(|f| {
+        let (geometric, mean) = ((a[f] * b[f]).max(0.0).sqrt(), 0.5 * (a[f] + b[f]));
+        let misfit = (mean - geometric).abs() / geometric.abs().max(f64::MIN_POSITIVE);
+        if geometric > 0.0 { misfit.min(1.0) / REFINEMENT } else { 0.0 }
+    })
+}
+
+/// Relative misfit of the inner point `own` of a line when predicted from the others.
 fn left_out(
-    length: usize,
     without: impl Fn(usize) -> (Vec<f64>, f64),
     line: impl Fn(usize) -> Option<Values>,
     own: usize,
 ) -> Option<Errors> {
-    if length == 2 {
-        // No inner point to leave out: the difference of the two possible means in the middle.
-        let (a, b) = (line(0)?, line(1)?);
-        let (a, b) = (with_coefficient(&a), with_coefficient(&b));
-        return Some(std::array::from_fn(|f| {
-            let (geometric, mean) = ((a[f] * b[f]).max(0.0).sqrt(), 0.5 * (a[f] + b[f]));
-            let misfit = (mean - geometric).abs() / geometric.abs().max(f64::MIN_POSITIVE);
-            if geometric > 0.0 { misfit.min(1.0) / REFINEMENT } else { 0.0 }
-        }));
-    }
-    if length < 2 || own + 1 >= length {
-        return None;
-    }
     let (rest, at) = without(own);
     let place = Location { index: own - 1, t: (at - rest[own - 1]) / (rest[own] - rest[own - 1]) };
     let of_rest = |n: usize| line(n + usize::from(n >= own)).ok_or((n, 0));

@@ -15,7 +15,7 @@ const OF_AREA: f64 = 0.34;
 const OF_INCEPTION: f64 = 1.0;
 const OF_ENERGY: f64 = 6.0;
 /// Fall of the load during a slide at held interference by the coupling of pressure and shear displacements, over
-/// (Δβ²) (τ/τ_c)² ω_c/ω₀ with the mean shear traction τ of gross slip: 0.024 at ν = 0.34 and 0.040 at ν = 0.2 (0.1 ω_c), 0.041
+/// Δβ² (√3τ/σ_Y)² ω_c/ω₀ with the largest mean shear traction τ: 0.024 at ν = 0.34 and 0.040 at ν = 0.2 (0.1 ω_c), 0.041
 /// (ν = 0.2, 0.3 ω_c), 0.031 (ν = 0.34, 0.01 ω_c). The area falls by less than a quarter of that.
 const LOAD_OF_SLIDE: f64 = 0.045;
 const AREA_OF_SLIDE: f64 = 0.012;
@@ -60,7 +60,7 @@ pub struct ModellingError {
     pub strain: f64,
     /// β² neglected in the press, see [`crate::loading::problem::PressFriction`].
     pub press_coupling: f64,
-    /// Δβ² (τ/τ_c)² ω_c/ω₀ neglected in the slide, which is that on a rigid flat.
+    /// Δβ² (√3τ/σ_Y)² ω_c/ω₀ neglected in the slide, which is that on a rigid flat.
     pub slide_coupling: f64,
     /// a/R times the shares of the elastic compliance of the counterface, which is a half-space, and of elasticity in the load.
     pub finite_counterface: f64,

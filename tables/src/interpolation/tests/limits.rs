@@ -72,6 +72,22 @@ fn outside_and_missing_are_refused_with_their_reason() {
     assert!(lookup(&table, 0.2, 0.2).is_ok());
 }
 
+/// Beside the third row no point of the first interval can be left out.
+#[test]
+fn beside_a_missing_point_the_error_of_interpolation_stays() {
+    let table = changed(|slice| slice.mark_failed(2, 3, "no convergence"));
+    let [interference, slip_rate] = [&table.axes().interference, &table.axes().slip_rate];
+    let omega = (interference[0] * interference[1]).sqrt();
+    let slip = 1.5 * (truth(omega, 0.0, 0.0).area.value / std::f64::consts::PI).sqrt();
+    let here = table.response(RADIUS, omega, slip_rate[3], slip).unwrap();
+    let there = truth(omega, slip_rate[3], slip);
+    for (found, truth) in [(here.load, there.load), (here.area, there.area), (here.friction, there.friction)]
+    {
+        let missing = (found.value - truth.value).abs();
+        assert!(missing > 0.0 && missing < found.error, "{found:?} {truth:?}");
+    }
+}
+
 #[test]
 fn scalars_below_the_first_row_are_elastic() {
     let table = table();
