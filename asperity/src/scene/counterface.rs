@@ -170,7 +170,8 @@ impl Scene {
     pub fn with_combined_modulus(&self) -> Self {
         let mut scene = self.clone();
         let Counterface { youngs_modulus, poisson_ratio, .. } = &mut scene.counterface;
-        if let Some((modulus, ratio)) = youngs_modulus.take().zip(poisson_ratio.take()) {
+        // Its expansion still needs ν₂.
+        if let Some((modulus, ratio)) = youngs_modulus.take().zip(*poisson_ratio) {
             let material = &mut scene.material;
             let own = contact_modulus(material.youngs_modulus, material.poisson_ratio);
             let combined = 1.0 / (1.0 / own + 1.0 / contact_modulus(modulus, ratio));
