@@ -49,7 +49,7 @@ pub enum TableError {
 pub enum TemperatureError {
     #[error(
         "has initial temperatures from {from} to {to} K; choose one: asperity by --temperature, roughsurface by \
-         query.temperature in the surface file or --set query.temperature=VALUE"
+         query.temperature in the surface file or --set query.temperature=VALUE, Python by temperature=VALUE"
     )]
     NotChosen { from: f64, to: f64 },
     #[error("initial temperature {asked} K is outside the table, which goes from {from} to {to} K")]

@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
-use crate::scene::{Material, TemperatureTable};
+use crate::scene::{Counterface, Material, TemperatureTable};
 
 // FILES: name and content of each material file, by name; made by build.rs.
 include!(concat!(env!("OUT_DIR"), "/presets.rs"));
@@ -75,9 +75,33 @@ impl Preset {
         })
     }
 
+    /// The yield strength, Pa, if a counterface that conducts has the constants of this preset.
+    pub(crate) fn strength_of(&self, counterface: &Counterface) -> Option<f64> {
+        let of_counterface = [
+            (counterface.density, None),
+            (counterface.specific_heat, counterface.dependence.specific_heat.as_ref()),
+            (counterface.thermal_conductivity, counterface.dependence.thermal_conductivity.as_ref()),
+        ];
+        let keys = ["density", "specific_heat", "thermal_conductivity"];
+        let is_alike = |(key, (value, table)): (&str, (Option<f64>, Option<&TemperatureTable>))| match (
+            &self.constant(key)?.value,
+            table,
+        ) {
+            (ConstantValue::Number(own), None) => Some(Some(*own) == value),
+            (ConstantValue::Table(own), Some(table)) => Some(own == table),
+            _ => None,
+        };
+        let alike = keys.into_iter().zip(of_counterface).all(|pair| is_alike(pair) == Some(true));
+        self.number("yield_strength").filter(|_| alike)
+    }
+
+    fn constant(&self, key: &str) -> Option<&Constant> {
+        self.constants.iter().find(|constant| constant.key == key)
+    }
+
     /// A constant that is one number.
     fn number(&self, key: &str) -> Option<f64> {
-        match self.constants.iter().find(|constant| constant.key == key)?.value {
+        match self.constant(key)?.value {
             ConstantValue::Number(value) => Some(value),
             _ => None,
         }

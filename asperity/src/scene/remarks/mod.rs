@@ -11,6 +11,7 @@ use toml::{Table, Value};
 use crate::scene::file::is_within;
 use crate::scene::fitted_constants::localised_shear;
 use crate::scene::loading::{default_slip_distance, default_temperature};
+use crate::scene::presets::Preset;
 use crate::scene::{
     FractureData, FrictionLaw, Hardening, Interface, InterfaceStrength, Loading, Material, Model, Numerics,
     Rate, Scene, Softening, Switch, presets,
@@ -19,6 +20,9 @@ use crate::scene::{
 /// Linear hardening modulus over yield strength that is suggested where none is given: within the range 0.35 to 4.5 of
 /// B/A of Johnson and Cook's law for the metals among the presets.
 const MODULUS_SUGGESTED: f64 = 1.5;
+
+/// Over ω_c; the least that is plausible.
+const SMALLEST_INTERFERENCE: f64 = 1e-4;
 
 /// Paths of the optional keys, or of their sections.
 const OPTIONAL: [&str; 9] = [
@@ -50,10 +54,27 @@ impl Scene {
         let strength = self.equal_strength().into_iter().chain(self.reference_temperature());
         let strength = strength.chain(self.below_reference()).chain(self.tensile_strength());
         strength
+            .chain(self.softer_counterface())
             .chain(self.isothermal_counterface())
             .chain(self.without_effect())
             .chain(plausible::remarks(document))
+            .chain(self.interference_in_metres())
             .collect()
+    }
+
+    /// An interference so small that it is probably in metres.
+    fn interference_in_metres(&self) -> Option<String> {
+        let interference = self.loading.interference;
+        let body = self.with_combined_modulus().material.elastic_plastic();
+        let critical = body.critical_interference(self.radius);
+        let written = interference / critical;
+        (interference < SMALLEST_INTERFERENCE && written >= 1.0).then(|| {
+            format!(
+                "omega_c is {} m here; if loading.interference is in metres, write {}",
+                digits(critical, 3),
+                plain(rounded(written, 3))
+            )
+        })
     }
 
     /// A tensile strength below the yield strength.
@@ -69,6 +90,21 @@ impl Scene {
             }
             _ => None,
         }
+    }
+
+    /// A metal that yields before the asperity does, taken for the counterface, which does not yield.
+    fn softer_counterface(&self) -> Option<String> {
+        let own = self.material.yield_strength;
+        let of_preset = |preset: &Preset| Some((preset.name, preset.strength_of(&self.counterface)?));
+        let (name, strength) =
+            presets::all().iter().find_map(of_preset).filter(|(_, strength)| *strength < own)?;
+        Some(format!(
+            "the counterface has the constants of {name}, which yields at {} MPa, before the asperity, at {} MPa; no \
+             counterface yields in this model, and pressure and friction are those of the harder body: make the softer one \
+             the asperity",
+            digits(1e-6 * strength, 3),
+            digits(1e-6 * own, 3)
+        ))
     }
 
     /// A counterface with elastic constants only.
@@ -188,7 +224,7 @@ impl Scene {
         let remedy = format!("write yield_strength = {}{modulus}", here(self.material.yield_strength));
         Some(match presets::all().iter().find(|preset| preset.has_strength_of(&self.material)) {
             Some(preset) => format!(
-                "{said}; the constants of the preset \"{}\" hold where it is 1: {remedy}, or use a table with two or more \
+                "{said}; its value, that of the preset \"{}\", holds where it is 1: {remedy}, or use a table with three or more \
                  values of table.temperature",
                 preset.name
             ),

@@ -49,6 +49,39 @@ fn a_counterface_without_thermal_constants_is_said_to_be_isothermal() {
 }
 
 #[test]
+fn an_interference_in_metres_is_converted() {
+    let of = |interference: &str| {
+        remarks(&[
+            "material.hardening={law=\"linear\", modulus=1e9}",
+            &format!("loading.interference={interference}"),
+        ])
+    };
+    let scene = scene_with(&[]);
+    let critical = scene.material.elastic_plastic().critical_interference(scene.radius);
+    let said = of("2e-6");
+    let expected = plain(rounded(2e-6 / critical, 3));
+    assert!(said.len() == 2 && said[1].ends_with(&format!("is in metres, write {expected}")), "{said:?}");
+    assert_eq!(of("1e-3"), Vec::<String>::new());
+}
+
+#[test]
+fn a_counterface_that_yields_first_is_named() {
+    let hard = "material.yield_strength=900e6";
+    let of = |more: &[&str]| remarks(&[&["material.hardening={law=\"linear\", modulus=1e9}"], more].concat());
+    // 792 MPa; 880 MPa and a conductivity over temperature.
+    for preset in ["steel-4340", "titanium-6al4v"] {
+        let counterface = format!("counterface.preset={preset}");
+        let said = of(&[hard, &counterface, "counterface.elastic=false"]);
+        assert!(
+            said.len() == 1 && said[0].contains(preset) && said[0].contains("before the asperity"),
+            "{said:?}"
+        );
+        assert_eq!(of(&[&counterface]), Vec::<String>::new());
+        assert_eq!(of(&[hard, &counterface, "counterface.density=5e3"]), Vec::<String>::new());
+    }
+}
+
+#[test]
 fn values_without_effect_are_named() {
     let hardens = "material.hardening={law=\"linear\", modulus=1e9}";
     let of = |more: &[&str]| remarks(&[&[hardens], more].concat());
@@ -58,7 +91,7 @@ fn values_without_effect_are_named() {
     }
     let capped = of(&["interface.law=coulomb", "interface.strength_factor=0.9"]);
     assert_eq!(capped, Vec::<String>::new());
-    let beside = ["counterface.preset=copper", "interface.heat_partition=0.3"];
+    let beside = ["counterface.preset=steel-4340", "interface.heat_partition=0.3"];
     let said = of(&beside);
     assert!(said.len() == 1 && said[0].contains("heat_partition = 0.3 has no effect"), "{said:?}");
     let resistance = [&beside[..], &["counterface.contact_conductance=1e6"]].concat();
@@ -87,7 +120,7 @@ fn constants_of_a_preset_at_another_temperature_are_noticed() {
     let found = remarks(&[&own[..], &[hardening]].concat());
     assert!(found[0].ends_with(&format!("{strength} and hardening.modulus = 5e8")), "{found:?}");
     let said = |set: &[&str]| of_preset("copper", set).remarks();
-    assert!(said(&["loading.temperature=700"])[0].contains("of the preset \"copper\" hold where it is 1"));
+    assert!(said(&["loading.temperature=700"])[0].contains("that of the preset \"copper\", holds where it is 1"));
     assert_eq!(said(&["loading.temperature=298"]), Vec::<String>::new());
     assert!(
         said(&["loading.temperature=700", "material.yield_strength=70e6"])[0]
