@@ -41,6 +41,7 @@ fn main() -> anyhow::Result<()> {
         control: LoadingControl::Load,
         contact_life: ContactLife::default(),
         interaction: Interaction::None,
+        nominal_size: None,
         rate_step: None,
     };
     let prediction = predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ())?;

@@ -40,6 +40,7 @@ fn query(pressures: Vec<f64>, slip_rates: Vec<f64>) -> Query {
         control: LoadingControl::default(),
         contact_life: ContactLife::default(),
         interaction: Interaction::default(),
+        nominal_size: None,
         rate_step: None,
     }
 }

@@ -48,8 +48,8 @@ A surface file, surface.toml:
     hold = \"load\"               # or \"separation\"
     contact_life = 1            # slip over which a contact lasts, in its diameters; or \"steady\"
     interaction = \"none\"        # or \"mean-pressure\": the nominal pressure displaces the
-                                # mean plane, with nominal_size = 0.01, side of the square
-                                # nominal area, m
+                                # mean plane, with nominal_size
+    nominal_size = 0.01         # side of the square nominal area, m; optional without interaction
     rate_step = { before = 0.1, after = 1 }    # of predict, optional, m/s: steady sliding
                                 # through a step of the slip rate
 

@@ -227,17 +227,16 @@ fn rates_outside_the_table_and_empty_gaps_are_refused() {
 fn the_mean_pressure_moves_the_plane_and_leaves_friction_at_a_pressure() {
     let law = closed_form("jackson-green", &STEEL).unwrap();
     let surface = surface(Box::new(Gaussian::new(3e-8)));
-    let predicted = |loading: &NormalLoading, control, interaction| {
-        let (slip_rates, contact_life) = (vec![1.0], ContactLife::default());
-        let query = Query { slip_rates, control, contact_life, interaction, ..query(loading.clone()) };
+    let predicted = |loading: &NormalLoading, control, nominal_size: Option<f64>| {
+        let interaction = nominal_size.map_or(Interaction::None, |_| Interaction::MeanPressure);
+        let query = Query { control, interaction, nominal_size, ..query(loading.clone()) };
         of_query(law.as_ref(), &surface, &query).unwrap()
     };
-    let of_size = |nominal_size| Interaction::MeanPressure { nominal_size };
     let cell = |prediction: &Prediction| prediction.friction[0][0].clone();
     let (size, pressure) = (1e-4, 2e7);
     let loading = NormalLoading::Pressure(vec![pressure]);
-    let classical = cell(&predicted(&loading, LoadingControl::Load, Interaction::None));
-    let moved = cell(&predicted(&loading, LoadingControl::Load, of_size(size)));
+    let classical = cell(&predicted(&loading, LoadingControl::Load, None));
+    let moved = cell(&predicted(&loading, LoadingControl::Load, Some(size)));
     let bits = |cell: &Friction| {
         let state = &cell.sliding;
         [state.mu, state.area_fraction, cell.mu_static].map(|estimate| estimate.value.to_bits())
@@ -251,12 +250,12 @@ fn the_mean_pressure_moves_the_plane_and_leaves_friction_at_a_pressure() {
 
     // The separation that was found has the pressure that was given, whatever is held.
     let loading = NormalLoading::Separation(vec![moved.pressed.separation.value]);
-    let held = cell(&predicted(&loading, LoadingControl::Separation, of_size(size)));
+    let held = cell(&predicted(&loading, LoadingControl::Separation, Some(size)));
     assert!((held.pressed.pressure.value / pressure - 1.0).abs() < 1e-5);
-    let alone = cell(&predicted(&loading, LoadingControl::Separation, Interaction::None));
+    let alone = cell(&predicted(&loading, LoadingControl::Separation, None));
     assert!(alone.pressed.pressure.value > 1.1 * pressure);
     // A small nominal area is stiff: the classical result.
-    let small = cell(&predicted(&loading, LoadingControl::Separation, of_size(1e-30)));
+    let small = cell(&predicted(&loading, LoadingControl::Separation, Some(1e-30)));
     assert_eq!(bits(&alone), bits(&small));
     assert_eq!(alone.pressed.pressure.value.to_bits(), small.pressed.pressure.value.to_bits());
 }

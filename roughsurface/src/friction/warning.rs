@@ -1,13 +1,20 @@
 //! Warnings: limits of validity that a result reaches.
 
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
-use crate::surface::query::Query;
+use crate::surface::query::{Interaction, Query};
 use crate::topography::warning;
 use std::fmt;
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::law::{AboveRange, AsperityLaw};
 use tables::numbers::{beside, digits, plain};
 use tables::table::sentences::Sentence;
+
+/// Real area fraction above which summits no longer deform independently: a few per cent.
+const INTERACTION: f64 = 0.05;
+
+/// Real area fraction f above which contacts merge: of equal contacts at random places 1 − exp(−4f), a third, overlap
+/// another.
+const MERGING: f64 = 0.1;
 
 /// Pressure or separation and slip rate that a warning is about.
 #[derive(Clone, Debug, PartialEq)]
@@ -133,7 +140,7 @@ pub enum Warning {
     )]
     AsperitiesInteract { at: Place, share: f64 },
     #[error(
-        "{at}: {:.0} % of the nominal area is in contact; neighbouring contacts, here separate, would merge",
+        "{at}: {:.0} % of the nominal area is in contact; neighbouring contacts, here separate, would merge: area and friction at this pressure are uncertain beyond the stated errors",
         100.0 * .share
     )]
     ContactsMerge { at: Place, share: f64 },
@@ -181,6 +188,15 @@ pub enum Warning {
 }
 
 impl Warning {
+    /// That contacts interact or merge, where that share of the nominal area is in contact.
+    pub fn of_area(query: &Query, share: f64, at: impl Fn() -> Place) -> Option<Self> {
+        if share > MERGING {
+            return Some(Self::ContactsMerge { at: at(), share });
+        }
+        let independent = query.interaction == Interaction::None && share > INTERACTION;
+        independent.then(|| Self::AsperitiesInteract { at: at(), share })
+    }
+
     /// That formulae of the `law` are used above their range, if these shares of the load are there.
     pub fn beyond_formulae(law: &dyn AsperityLaw, outside: impl Iterator<Item = f64>) -> Option<Self> {
         let without_friction = match law.above_range() {

@@ -117,7 +117,7 @@ impl LawSource {
             material,
             youngs_modulus,
             scene: SceneConstants {
-                melting_temperature: number(&scene, &["material", "softening", "melting"], temperature),
+                melting_temperature: melting_temperature(&scene),
                 inception_time: inception_time(&scene, &material, temperature),
                 effusivity: effusivity(&scene, temperature),
             },
@@ -227,6 +227,14 @@ fn number(scene: &toml::Table, path: &[&str], temperature: f64) -> Option<f64> {
     }
 }
 
+/// From which on the metal of a scene has no strength.
+fn melting_temperature(scene: &toml::Table) -> Option<f64> {
+    let softening = scene.get("material")?.get("softening")?;
+    let last = |key: &str| softening.get(key)?.as_array()?.last()?.as_float();
+    let of_table = || last("temperature").filter(|_| last("factor") == Some(0.0));
+    softening.get("melting").and_then(toml::Value::as_float).or_else(of_table)
+}
+
 /// The smaller one of asperity and counterface.
 fn effusivity(scene: &toml::Table, temperature: f64) -> Option<f64> {
     let of = |body: &str| {
@@ -291,12 +299,17 @@ mod tests {
 
     #[test]
     fn the_scene_of_a_table_states_the_melting_temperature() {
-        let scene = "[material]\nsoftening = { law = \"johnson-cook\", melting = 1793.0 }\n";
-        let melting =
-            |scene: &str| number(&scene.parse().unwrap(), &["material", "softening", "melting"], 298.0);
-        assert_eq!(melting(scene), Some(1793.0));
-        assert_eq!(melting("[material]\nsoftening = { law = \"none\" }\n"), None);
-        assert_eq!(melting(""), None);
+        let melting = |softening: &str| {
+            melting_temperature(&format!("[material]\nsoftening = {{ {softening} }}\n").parse().unwrap())
+        };
+        assert_eq!(melting(r#"law = "johnson-cook", melting = 1793.0"#), Some(1793.0));
+        assert_eq!(
+            melting(r#"law = "table", temperature = [293.0, 1473.0], factor = [1.0, 0.0]"#),
+            Some(1473.0)
+        );
+        assert_eq!(melting(r#"law = "table", temperature = [293.0, 1473.0], factor = [1.0, 0.1]"#), None);
+        assert_eq!(melting(r#"law = "none""#), None);
+        assert_eq!(melting_temperature(&toml::Table::new()), None);
     }
 
     #[test]

@@ -7,7 +7,7 @@
 use crate::integral::separation::SeparationError;
 use crate::integral::surface_integral::SurfaceIntegral;
 use crate::root_finding::{Accuracy, root_between};
-use crate::surface::query::Interaction;
+use crate::surface::query::{Interaction, Query};
 use tables::law::{AsperityLaw, Estimate};
 
 /// The mean plane of the summits, which yields to the nominal pressure or not.
@@ -25,10 +25,11 @@ fn square() -> f64 {
 }
 
 impl MeanPlane {
-    pub fn new(interaction: Interaction, law: &dyn AsperityLaw) -> Result<Self, SeparationError> {
-        let Interaction::MeanPressure { nominal_size } = interaction else {
+    pub fn new(query: &Query, law: &dyn AsperityLaw) -> Result<Self, SeparationError> {
+        if query.interaction == Interaction::None {
             return Ok(Self::default());
-        };
+        }
+        let nominal_size = query.nominal_size.ok_or(SeparationError::NoNominalSize)?;
         let modulus = law.contact_modulus().ok_or_else(|| SeparationError::NoModulus { law: law.name() })?;
         Ok(Self { compliance: square() * nominal_size / modulus })
     }
@@ -77,8 +78,9 @@ impl MeanPlane {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::integral::test_laws::{STEEL, asperity};
+    use crate::integral::test_laws::{STEEL, asperity, query};
     use crate::surface::heights::Exponential;
+    use crate::surface::query::NormalLoading;
     use crate::surface::radii::ByRadius;
     use tables::closed_forms::closed_form;
 
@@ -122,14 +124,16 @@ mod tests {
         let mut integral = SurfaceIntegral::new(&asperities, &heights, density, 1e-12);
         let zero =
             density * std::f64::consts::PI.sqrt() * STEEL.contact_modulus() * (radius * sigma).sqrt() * sigma;
-        for nominal_size in [1e-7, 1e-5, 1e-3, 1e-2] {
-            let plane = MeanPlane::new(Interaction::MeanPressure { nominal_size }, law.as_ref()).unwrap();
+        for size in [1e-7, 1e-5, 1e-3, 1e-2] {
+            let asked = query(NormalLoading::Separation(vec![0.0]));
+            let (interaction, nominal_size) = (Interaction::MeanPressure, Some(size));
+            let plane = MeanPlane::new(&Query { interaction, nominal_size, ..asked }, law.as_ref()).unwrap();
             for place in [0.0, 1.0, 4.0] {
                 let separation = place * sigma;
-                let at = zero * (-place).exp() * square() * nominal_size / (STEEL.contact_modulus() * sigma);
+                let at = zero * (-place).exp() * square() * size / (STEEL.contact_modulus() * sigma);
                 let exact = separation + sigma * puruspe::lambert_w0(at);
                 let found = plane.effective_separation(&mut integral, separation).unwrap();
-                assert!((found - exact).abs() < 1e-9 * sigma, "{nominal_size} {place}: {found:e} {exact:e}");
+                assert!((found - exact).abs() < 1e-9 * sigma, "{size} {place}: {found:e} {exact:e}");
             }
         }
     }

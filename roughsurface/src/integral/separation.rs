@@ -21,6 +21,8 @@ pub enum SeparationError {
         "query.interaction = \"mean-pressure\" needs the contact modulus, which the asperity law {law} does not state"
     )]
     NoModulus { law: String },
+    #[error("query.interaction = \"mean-pressure\" needs query.nominal_size")]
+    NoNominalSize,
 }
 
 /// A state in equilibrium with a nominal pressure, and how it changes with separation.

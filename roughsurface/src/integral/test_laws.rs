@@ -31,6 +31,7 @@ pub fn query(loading: NormalLoading) -> Query {
         control,
         contact_life: ContactLife::default(),
         interaction: Interaction::None,
+        nominal_size: None,
         rate_step: None,
     }
 }

@@ -134,13 +134,14 @@ impl<'de> Deserialize<'de> for ContactLife {
 }
 
 /// Elastic interaction of the summits.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Interaction {
     /// Summits deform independently.
     #[default]
     None,
-    /// The nominal pressure displaces the mean plane of a square nominal area of side `nominal_size` (m).
-    MeanPressure { nominal_size: f64 },
+    /// The nominal pressure displaces the mean plane of a square nominal area.
+    MeanPressure,
 }
 
 impl Interaction {
@@ -148,7 +149,7 @@ impl Interaction {
     pub fn name(&self) -> &'static str {
         match self {
             Self::None => "none",
-            Self::MeanPressure { .. } => "mean-pressure",
+            Self::MeanPressure => "mean-pressure",
         }
     }
 }
@@ -162,6 +163,8 @@ pub struct Query {
     pub control: LoadingControl,
     pub contact_life: ContactLife,
     pub interaction: Interaction,
+    /// Side of the square nominal area, m.
+    pub nominal_size: Option<f64>,
     /// Slip rates before and after a step, m/s.
     pub rate_step: Option<[f64; 2]>,
 }

@@ -77,7 +77,7 @@ impl<'a> Sweep<'a> {
         let rates = query.slip_rates.iter();
         let asperities = rates.map(|&rate| Asperities::new(law, surface, rate));
         let asperities = asperities.collect::<Result<_, _>>()?;
-        Ok(Self { law, surface, query, settings, plane: MeanPlane::new(query.interaction, law)?, asperities })
+        Ok(Self { law, surface, query, settings, plane: MeanPlane::new(query, law)?, asperities })
     }
 
     fn integral(&self, asperities: &Asperities<'a>) -> SurfaceIntegral<'a> {

@@ -8,16 +8,9 @@ use crate::friction::slip_curve::{Inception, SlipState};
 use crate::friction::warning::{Place, Warning};
 use crate::integral::asperity_at_slip::UNKNOWN_STEADY_FRICTION;
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
-use crate::surface::query::{ContactLife, Interaction};
+use crate::surface::query::ContactLife;
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::law::AboveRange;
-
-/// Real area fraction above which summits no longer deform independently: a few per cent.
-const INTERACTION: f64 = 0.05;
-
-/// Real area fraction f above which contacts merge: of equal contacts at random places 1 − exp(−4f), a third, overlap
-/// another.
-const MERGING: f64 = 0.1;
 
 /// Share of the load below the first interference of a table above which a warning says that the result rests on the elastic
 /// limit rather than on the table.
@@ -87,15 +80,7 @@ impl Sweep<'_> {
             warnings.push(Warning::FastInception { at: at(), time });
         }
         let share = sliding.area_fraction.value;
-        match self.query.interaction {
-            Interaction::None if share > INTERACTION => {
-                warnings.push(Warning::AsperitiesInteract { at: at(), share });
-            }
-            Interaction::MeanPressure { .. } if share > MERGING => {
-                warnings.push(Warning::ContactsMerge { at: at(), share });
-            }
-            _ => (),
-        }
+        warnings.extend(Warning::of_area(self.query, share, at));
         let molten = self.settings.scene.melting_temperature.zip(contacts.temperature_max);
         if let Some((melting, highest)) = molten.filter(|(melting, highest)| highest.value > *melting) {
             warnings.push(Warning::AboveMelting { at: at(), highest: highest.value, melting });
@@ -135,10 +120,7 @@ impl Sweep<'_> {
         }
         let of_unit_length = 4.0 / 3.0 * flux / ((PI * slip_rate).sqrt() * self.settings.scene.effusivity?);
         let length = (LARGEST_NOMINAL_RISE * rise / of_unit_length).powi(2);
-        let nominal = match self.query.interaction {
-            Interaction::MeanPressure { nominal_size } => nominal_size,
-            Interaction::None => SMALL_NOMINAL_CONTACT,
-        };
+        let nominal = self.query.nominal_size.unwrap_or(SMALL_NOMINAL_CONTACT);
         let nominal_rise = of_unit_length * nominal.sqrt();
         let counts = rise > 0.0 && length < nominal && nominal_rise > LEAST_NOMINAL_RISE;
         counts.then(|| Warning::NominalHeating { at: at(), length, rise, nominal, nominal_rise })

@@ -78,7 +78,7 @@ pub fn sample(
     };
     let laws: Vec<LawAtRate> = query.slip_rates.iter().map(with_rate).collect::<Result<_, LookupError>>()?;
     let predictors = predictors(&laws, surface, query, settings);
-    let plane = MeanPlane::new(query.interaction, law)?;
+    let plane = MeanPlane::new(query, law)?;
     let slide = Slide { law, query, settings, plane, laws: &laws, predictors: &predictors };
     let mut seeds = Random::seed_from_u64(sampling.seed);
     let seeds: Vec<u64> = (0..sampling.realizations).map(|_| seeds.random()).collect();
@@ -150,6 +150,8 @@ fn warnings(
                 None => Warning::Unsteady { at: at(), share, known },
             });
         }
+        let share = infinite.map_or(f64::NAN, |infinite| infinite.state.area_fraction.value);
+        warnings.extend(Warning::of_area(query, share, at));
         let idle = surfaces.iter().filter(|one| one.contacts == 0.0).count();
         if idle > 0 {
             warnings.push(Warning::SamplesWithoutContact { at: at(), idle, count: surfaces.len() });

@@ -69,7 +69,8 @@ pub(super) struct QueryKeys {
     pub(super) hold: LoadingControl,
     #[serde(default)]
     pub(super) contact_life: ContactLife,
-    pub(super) interaction: Option<InteractionKind>,
+    #[serde(default)]
+    pub(super) interaction: Interaction,
     pub(super) nominal_size: Option<f64>,
     pub(super) rate_step: Option<RateStepKeys>,
     pub(super) temperature: Option<f64>,
@@ -96,29 +97,15 @@ pub(super) fn rate_step_of(
     }
 }
 
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(super) enum InteractionKind {
-    None,
-    MeanPressure,
-}
-
-/// The interaction of the keys `interaction` and `nominal_size`.
-pub(super) fn interaction_of(
-    kind: Option<InteractionKind>,
-    size: Option<f64>,
-) -> Result<Interaction, String> {
+/// Whether `nominal_size` is positive, and there where the interaction needs it.
+pub(super) fn check_nominal_size(interaction: Interaction, size: Option<f64>) -> Result<(), String> {
     const KEY: &str = "query.nominal_size";
-    size.map_or(Ok(()), |size| positive(KEY, size, "m"))?;
-    match (kind, size) {
-        (Some(InteractionKind::MeanPressure), Some(nominal_size)) => {
-            Ok(Interaction::MeanPressure { nominal_size })
-        }
-        (Some(InteractionKind::MeanPressure), None) => Err(format!(
+    match size {
+        Some(size) => positive(KEY, size, "m"),
+        None if interaction == Interaction::None => Ok(()),
+        None => Err(format!(
             "{KEY}: is missing; interaction = \"mean-pressure\" needs the side of the square nominal area in m"
         )),
-        (None, Some(_)) => Err(format!("{KEY}: has no meaning without interaction = \"mean-pressure\"")),
-        (_, _) => Ok(Interaction::None),
     }
 }
 

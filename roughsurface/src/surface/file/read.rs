@@ -1,6 +1,6 @@
 //! Reads and checks a surface file.
 
-use super::keys::{FileKeys, SurfaceKeys, interaction_of, positive, radii_of, rate_step_of};
+use super::keys::{FileKeys, SurfaceKeys, check_nominal_size, positive, radii_of, rate_step_of};
 use super::parameter::{Parameter, Uncertain};
 use super::values::Values;
 use crate::surface::heights;
@@ -184,6 +184,7 @@ fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, Str
             return Err(allowed("material.poisson_ratio", nu, "must be at least 0 and below 0.5"));
         }
     }
+    check_nominal_size(keys.query.interaction, keys.query.nominal_size)?;
     Ok(SurfaceFile {
         surface: Surface { asperity_density, asperity_radius, heights },
         query: Query {
@@ -191,7 +192,8 @@ fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, Str
             slip_rates,
             control: keys.query.hold,
             contact_life: keys.query.contact_life,
-            interaction: interaction_of(keys.query.interaction, keys.query.nominal_size)?,
+            interaction: keys.query.interaction,
+            nominal_size: keys.query.nominal_size,
             rate_step: rate_step_of(keys.query.rate_step, keys.query.contact_life)?,
         },
         temperature: keys.query.temperature,

@@ -89,11 +89,7 @@ fn errors_are_one_line_with_file_key_value_and_rule() {
             "interaction = \"mean-pressure\"",
             ": query.nominal_size: is missing; interaction = \"mean-pressure\" needs the side of the square nominal area in m",
         ),
-        (
-            HOLD,
-            "nominal_size = 0.01",
-            ": query.nominal_size: has no meaning without interaction = \"mean-pressure\"",
-        ),
+        (HOLD, "nominal_size = 0.0", ": query.nominal_size = 0: must be a positive number (m)"),
         (
             HOLD,
             "rate_step = { before = 0.1, after = 0.0 }",
