@@ -1,24 +1,29 @@
 //! Runs the cells of a grid: one press serves all slip rates of an interference, the largest
 //! interferences first.
+//!
+//! Each thread has one press or slide at a time. In a common pool of threads one that waits for a part of its run would begin
+//! another cell, which then ends first: run times and the time left would be those of both.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard};
+use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::Instant;
 
-use rayon::prelude::*;
+use rayon::ThreadPool;
 
 use super::cell::Finished;
 use super::cost::Forecast;
 use super::journal::{CellResult, Index, Journal, JournalError, Known};
 use super::layout::Layout;
+use super::queue::{Queue, Task};
 use super::{CellProgress, Simulator, TableWatch};
 use crate::simulate::{SimulationError, Watch};
 
 /// The cells to be run, and what runs them.
-pub struct Grid<'a, S> {
+pub struct Grid<'a, S: Simulator> {
     simulator: &'a S,
     work: &'a Work<'a>,
+    queue: Queue<S::Pressed>,
     watch: &'a dyn TableWatch,
     clock: Instant,
     ledger: Mutex<Ledger<'a>>,
@@ -50,12 +55,12 @@ pub struct Work<'a> {
     pub jobs: usize,
 }
 
-/// Runs every wanted cell that is not known yet.
+/// Runs every wanted cell that is not known yet, in each of the `pools` one at a time.
 pub fn run<S: Simulator>(
     simulator: &S,
     work: &Work<'_>,
     (known, journal): (&mut Known, &mut Journal),
-    pool: &rayon::ThreadPool,
+    pools: &[ThreadPool],
     watch: &dyn TableWatch,
 ) -> Result<(), JournalError> {
     let layout = work.layout;
@@ -78,63 +83,69 @@ pub fn run<S: Simulator>(
     journal.reserve(cases.len() - finished.len())?;
     let mut forecast = Forecast::new(model, cases, work.jobs);
     finished.into_iter().for_each(|k| forecast.finished(k, 0.0));
+    // The largest take longest: started last, they would run alone at the end.
+    let probes = layout.probes().into_iter().map(|row| (row, true));
     let grid = &Grid {
         simulator,
         work,
+        queue: Queue::new(probes.chain(layout.order().into_iter().map(|row| (row, false)))),
         watch,
         clock: Instant::now(),
         ledger: Mutex::new(Ledger { known, journal, forecast, done, taken: Vec::new(), error: None }),
         stopped: AtomicBool::new(false),
     };
-    pool.in_place_scope_fifo(|scope| {
-        // One cell of an interference, at a slip rate in the middle.
-        let middle = |pending: Vec<usize>| pending.get(pending.len() / 2).copied().into_iter().collect();
-        for i in layout.probes() {
-            scope.spawn_fifo(move |_| grid.run_row(i, middle));
-        }
-        // The largest take longest: started last, they would run alone at the end. Idle
-        // threads help with the slides of a press before they start another press, which
-        // keeps few pressed states in memory.
-        for i in layout.order() {
-            scope.spawn_fifo(move |_| grid.run_row(i, |pending| pending));
+    std::thread::scope(|scope| {
+        for pool in pools {
+            scope.spawn(|| pool.install(|| grid.run_tasks()));
         }
     });
     grid.lock().error.take().map_or(Ok(()), Err)
 }
 
 impl<'a, S: Simulator> Grid<'a, S> {
-    /// Press once, then slide at those slip rates that are `chosen` of the ones wanted and not done.
-    fn run_row(&self, i: usize, chosen: impl FnOnce(Vec<usize>) -> Vec<usize>) {
-        if self.cancelled() {
-            return;
-        }
-        let pending = self.take(i, chosen);
-        if pending.is_empty() {
-            return;
-        }
-        match self.press(i) {
-            Ok(pressed) => pending.par_iter().with_max_len(1).for_each(|&j| self.run_cell(&pressed, (i, j))),
-            Err(Some(reason)) => {
-                for j in pending {
-                    self.finish((i, j), Err(reason.clone()));
-                }
+    fn run_tasks(&self) {
+        while let Some(task) = self.queue.next(|| self.cancelled()) {
+            match task {
+                Task::Press { row, probe } => self.press_row(row, probe),
+                Task::Slide { pressed, index } => self.run_cell(&pressed, index),
             }
-            Err(None) => {}
         }
     }
 
-    /// Those that are `chosen` of the cells of an interference that are neither done nor taken, taken at once: another thread
-    /// may begin the same interference.
-    fn take(&self, i: usize, chosen: impl FnOnce(Vec<usize>) -> Vec<usize>) -> Vec<usize> {
+    /// Presses once for those slip rates that are wanted and not done, or for one in their middle.
+    fn press_row(&self, i: usize, probe: bool) {
+        let pending = self.take(i, probe);
+        let pressed = if pending.is_empty() { Err(None) } else { self.press(i) };
+        let slides = match pressed {
+            Ok(pressed) => {
+                let pressed = Arc::new(pressed);
+                pending.into_iter().map(|j| (pressed.clone(), (i, j))).collect()
+            }
+            Err(reason) => {
+                let failed =
+                    reason.into_iter().flat_map(|reason| pending.iter().map(move |&j| (j, reason.clone())));
+                failed.for_each(|(j, reason)| self.finish((i, j), Err(reason)));
+                Vec::new()
+            }
+        };
+        self.queue.pressed(slides);
+    }
+
+    /// The cells of an interference that are neither done nor taken, or as a `probe` one in their middle, taken at once: another
+    /// thread may begin the same interference.
+    fn take(&self, i: usize, probe: bool) -> Vec<usize> {
         let mut ledger = self.lock();
         let is_pending = |j: &usize| {
             self.work.wanted[self.work.layout.position((i, *j))]
                 && !ledger.taken.contains(&(i, *j))
                 && !ledger.known.contains_key(&self.work.layout.point((i, *j)).key())
         };
-        let chosen = chosen((0..self.work.layout.axes.slip_rate.len()).filter(is_pending).collect());
-        ledger.taken.extend(chosen.iter().map(|&j| (i, j)));
-        chosen
+        let mut pending: Vec<usize> = (0..self.work.layout.axes.slip_rate.len()).filter(is_pending).collect();
+        if probe {
+            pending = pending.get(pending.len() / 2).copied().into_iter().collect();
+        }
+        ledger.taken.extend(pending.iter().map(|&j| (i, j)));
+        pending
     }
 
     fn press(&self, i: usize) -> Result<S::Pressed, Option<String>> {

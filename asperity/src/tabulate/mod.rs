@@ -17,11 +17,13 @@ mod fake;
 mod grid;
 mod journal;
 mod layout;
+mod queue;
 mod shard;
 mod tabulation;
 
 use std::path::Path;
 
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use tables::netcdf::DatasetError;
 use tables::numbers::{digits, plain};
 use tables::table::{Axes, Table, TableError};
@@ -250,11 +252,6 @@ pub(crate) fn tabulate_with<S: Simulator>(
         return Err(TabulateError::Shard(shard));
     }
     check_depth(request)?;
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(options.jobs)
-        .stack_size(STACK_SIZE)
-        .build()
-        .map_err(|error| TabulateError::Threads { jobs: options.jobs, reason: error.to_string() })?;
     let (mut journal, found) =
         Journal::open(options.journal, &write_request(request), options.shard, options.resume)?;
     let resumed = found.len();
@@ -271,7 +268,9 @@ pub(crate) fn tabulate_with<S: Simulator>(
         let wanted = options.shard.map_or(vec![true; costs.len()], |shard| shard.members(&costs));
         let work = Work { layout, wanted: &wanted, jobs: options.jobs };
         watch.expects(expected_time_left(&layout, &wanted, &known));
-        grid::run(simulator, &work, (&mut known, &mut journal), &pool, watch)?;
+        let points = (0..costs.len()).map(|cell| layout.point(layout.index(cell)).key());
+        let left = points.zip(&wanted).filter(|(key, wanted)| **wanted && !known.contains_key(key)).count();
+        grid::run(simulator, &work, (&mut known, &mut journal), &pools(options.jobs, left)?, watch)?;
         let columns = axes.slip_rate.len();
         let row = |i: usize| (0..columns).map(|j| known.get(&layout.point((i, j)).key()).cloned()).collect();
         let tabulation = Tabulation {
@@ -292,6 +291,17 @@ pub(crate) fn tabulate_with<S: Simulator>(
             None => return Ok((tabulation, journal)),
         }
     }
+}
+
+/// A pool of threads for each cell that is run at a time: of one, unless there are fewer cells than `jobs`.
+fn pools(jobs: usize, cells: usize) -> Result<Vec<ThreadPool>, TabulateError> {
+    let count = cells.clamp(1, jobs);
+    let pool = |n: usize| {
+        let threads = jobs / count + usize::from(n < jobs % count);
+        let pool = ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_SIZE).build();
+        pool.map_err(|error| TabulateError::Threads { jobs, reason: error.to_string() })
+    };
+    (0..count).map(pool).collect()
 }
 
 /// Whether the model goes as deep as the largest interference, at every initial temperature.

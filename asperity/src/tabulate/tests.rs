@@ -113,7 +113,9 @@ fn threads_interruptions_and_shards_change_nothing() {
         let one = whole(text, &fake(), 1);
         assert_eq!((cells_run(&one), one.failures().count()), (cells, failed));
         for jobs in [2, 5] {
-            assert_eq!(one, whole(text, &fake(), jobs));
+            let fake = fake();
+            assert_eq!(one, whole(text, &fake, jobs));
+            assert_eq!(fake.begun.load(Ordering::Relaxed), 1);
         }
         let undivided = table(&one);
 

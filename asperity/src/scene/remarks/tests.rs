@@ -120,7 +120,9 @@ fn constants_of_a_preset_at_another_temperature_are_noticed() {
     let found = remarks(&[&own[..], &[hardening]].concat());
     assert!(found[0].ends_with(&format!("{strength} and hardening.modulus = 5e8")), "{found:?}");
     let said = |set: &[&str]| of_preset("copper", set).remarks();
-    assert!(said(&["loading.temperature=700"])[0].contains("that of the preset \"copper\", holds where it is 1"));
+    assert!(
+        said(&["loading.temperature=700"])[0].contains("that of the preset \"copper\", holds where it is 1")
+    );
     assert_eq!(said(&["loading.temperature=298"]), Vec::<String>::new());
     assert!(
         said(&["loading.temperature=700", "material.yield_strength=70e6"])[0]
