@@ -33,6 +33,26 @@ fn numbers(text: &str, marks: [char; 2]) -> Vec<Vec<f64>> {
     lines.map(row).collect()
 }
 
+/// At a pressure that is far outside the table.
+#[test]
+fn warnings_of_the_prediction_are_exported() {
+    let folder = Folder::with_table(SURFACE);
+    folder
+        .run("predict surface.toml --table table.nc -o high.nc --pressure 1e8,6e8 --slip-rate 0.1,1 --quiet");
+    let warnings = folder.dataset("high.nc").optional_text("warnings").unwrap().unwrap();
+    let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>().join(" ");
+    for (name, mark) in [("high.inp", "**"), ("high.txt", "%")] {
+        folder.run_well(&format!("export high.nc -o {name}"));
+        let text = folder.read(name);
+        assert!(text.lines().all(|line| line.len() <= 256));
+        let comments: String = text.lines().filter_map(|line| line.strip_prefix(mark)).collect();
+        assert!(warnings.lines().all(|warning| words(&comments).contains(&words(warning))), "{comments}");
+    }
+    folder.run_well("export high.nc -o high.json");
+    let json: serde_json::Value = serde_json::from_str(&folder.read("high.json")).unwrap();
+    assert_eq!(json["warnings"].as_array().unwrap().len(), warnings.lines().count());
+}
+
 #[test]
 fn every_format_has_the_friction_of_the_file() {
     let folder = folder();

@@ -13,7 +13,22 @@ fn head(table: &FrictionTable, mark: &str, lines: &[&str]) -> String {
     );
     let _ = writeln!(text, "{mark} from {}", table.sources().join(", "));
     lines.iter().for_each(|line| text.push_str(&format!("{mark} {line}\n")));
+    table.warnings().for_each(|warning| add_warning(&mut text, mark, warning));
     text
+}
+
+/// In lines that are not too long for Abaqus.
+fn add_warning(text: &mut String, mark: &str, warning: &str) {
+    const LONGEST: usize = 200;
+    let mut line = format!("{mark} Warning:");
+    for word in warning.split(' ') {
+        if line.len() + word.len() > LONGEST {
+            text.push_str(&format!("{line}\n"));
+            line = format!("{mark}  ");
+        }
+        line.push_str(&format!(" {word}"));
+    }
+    text.push_str(&format!("{line}\n"));
 }
 
 impl FrictionTable {
@@ -122,6 +137,7 @@ pub(super) fn json(table: &FrictionTable) -> String {
         "source": format!("roughsurface {}", env!("CARGO_PKG_VERSION")),
         "files": table.sources(),
         "variables": {"V": "slip rate, m/s", "pressure": "nominal, Pa", "temperature": "initial, K"},
+        "warnings": table.warnings().collect::<Vec<_>>(),
         "fitted_between": [positive, table.slip_rates.last()],
         "laws": laws,
     });

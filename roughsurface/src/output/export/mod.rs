@@ -81,6 +81,8 @@ pub struct Layer {
     pub laws: Vec<FittedLaw>,
     /// The form of rupture codes likewise.
     pub flash_heating: Vec<FittedLaw>,
+    /// Limits of validity that the prediction reached.
+    pub warnings: Vec<String>,
 }
 
 /// A law, and why it is not reliable; or why there is none. Empty where it is reliable, or where the file does not say.
@@ -90,6 +92,10 @@ impl FrictionTable {
     /// Files that it is read from.
     fn sources(&self) -> Vec<&str> {
         self.layers.iter().map(|layer| layer.source.as_str()).collect()
+    }
+
+    fn warnings(&self) -> impl Iterator<Item = &String> {
+        self.layers.iter().flat_map(|layer| &layer.warnings)
     }
 
     /// Pressures (Pa) whose fitted law is not reliable, with the reason.
@@ -166,7 +172,9 @@ impl FrictionTable {
         let eight = vec![Estimate::exact(8.0); pressures.len()];
         let flash_heating = fitted(&file, ["mu_0", "mu_w", "V_w"], &eight, "flash_heating")?;
         let temperature = file.optional_real(INITIAL_TEMPERATURE)?;
-        let layer = Layer { source: shown, temperature, mu, laws: chosen, flash_heating };
+        let warnings = file.optional_text("warnings")?.unwrap_or_default();
+        let warnings = warnings.lines().map(str::to_owned).collect();
+        let layer = Layer { source: shown, temperature, mu, laws: chosen, flash_heating, warnings };
         Ok(Self { pressures, slip_rates, layers: vec![layer] })
     }
 
