@@ -9,6 +9,11 @@ use crate::material::lanes::dot_of_parts;
 pub struct Runs(Vec<Range<usize>>);
 
 impl Runs {
+    /// All entries of a vector.
+    pub fn all(vector: &[f64]) -> Self {
+        Self(vec![0..vector.len()])
+    }
+
     /// The blocks of `size` entries at rising places.
     pub fn of_blocks(places: impl Iterator<Item = usize>, size: usize) -> Self {
         let mut runs = Self::default();

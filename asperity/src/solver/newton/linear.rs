@@ -58,7 +58,8 @@ impl Mechanics {
         }
         let mut so_far = 0.0;
         for iteration in 0..KRYLOV_LIMIT {
-            self.precondition_within(&mut search, &entries, &r, &mut z);
+            search.apply(&self.preconditioner, &r[..size], &mut z[..size], &mut self.timings);
+            self.add_border(&entries, &r, &mut z);
             let next = entries.dot(&r, &z);
             if next <= target || stop() {
                 break;
@@ -114,31 +115,19 @@ impl Mechanics {
         }
     }
 
-    /// [`Self::precondition`] in the zone of a search.
-    fn precondition_within(
-        &mut self,
-        search: &mut Search,
-        entries: &Runs,
-        residual: &[f64],
-        solution: &mut [f64],
-    ) {
-        let size = self.internal.len();
-        search.apply(&mut self.preconditioner, &residual[..size], &mut solution[..size], &mut self.timings);
-        if let Some(BorderedSystem { direction, curvature }) = &self.border {
-            let share = entries.dot(direction, residual) / curvature;
-            solution[size] = 0.0;
-            entries.update(solution, direction, |x, d| *x += share * d);
-        }
-    }
-
     /// Elastic stiffness with the contact stiffness, inverted.
     pub(super) fn precondition(&mut self, residual: &[f64], solution: &mut [f64]) {
         let size = self.internal.len();
         self.preconditioner.apply(&residual[..size], &mut solution[..size], &mut self.timings);
+        self.add_border(&Runs::all(residual), residual, solution);
+    }
+
+    /// Adds to a solution at constant interference, where that is unknown, the share of a residual along its direction.
+    fn add_border(&self, entries: &Runs, residual: &[f64], solution: &mut [f64]) {
         if let Some(BorderedSystem { direction, curvature }) = &self.border {
-            let share = dot(direction, residual) / curvature;
-            solution[size] = 0.0;
-            solution.iter_mut().zip(direction).for_each(|(x, d)| *x += share * d);
+            let share = entries.dot(direction, residual) / curvature;
+            solution[self.internal.len()] = 0.0;
+            entries.update(solution, direction, |x, d| *x += share * d);
         }
     }
 

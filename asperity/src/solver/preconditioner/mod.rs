@@ -26,7 +26,6 @@ pub struct Indefinite;
 pub struct Preconditioner {
     factors: Arc<HarmonicFactors>,
     single: SingleFactors,
-    sweep: Vec<f32>,
     /// Positions in the sweeps outside of the dense system.
     places: Vec<u32>,
     /// Number of rings in the dense system, its elastic part, and the Cholesky factor of the whole; index (ring,
@@ -34,7 +33,6 @@ pub struct Preconditioner {
     rings: usize,
     elastic: Mat<f32>,
     factor: Mat<f32>,
-    work: MemBuffer,
     /// Contact stiffness contained in the factor.
     inside: Vec<NodeStiffness>,
 }
@@ -43,14 +41,12 @@ impl Preconditioner {
     pub fn new(factors: Arc<HarmonicFactors>) -> Self {
         let single = SingleFactors::new(&factors);
         Self {
-            sweep: vec![0.0; single.len()],
             places: single.places_before(0).collect(),
             single,
             factors,
             rings: 0,
             elastic: Mat::new(),
             factor: Mat::new(),
-            work: MemBuffer::new(faer::dyn_stack::StackReq::EMPTY),
             inside: Vec::new(),
         }
     }
@@ -72,8 +68,6 @@ impl Preconditioner {
                 self.elastic[(place(i), place(j))] = value as f32;
             });
             self.factor = self.elastic.clone();
-            self.work =
-                MemBuffer::new(llt::factor::cholesky_in_place_scratch::<f32>(n, Par::Seq, Spec::default()));
             self.rings = rings;
             self.places = self.single.places_before(rings).collect();
         }
@@ -81,11 +75,13 @@ impl Preconditioner {
         if rings > 0 {
             self.factor.copy_from(&self.elastic);
             add_contact_stiffness(&self.factors, contact, &mut self.factor);
+            let n = self.factor.nrows();
+            let work = llt::factor::cholesky_in_place_scratch::<f32>(n, Par::Seq, Spec::default());
             llt::factor::cholesky_in_place(
                 self.factor.as_mut(),
                 Default::default(),
                 Par::Seq,
-                MemStack::new(&mut self.work),
+                MemStack::new(&mut MemBuffer::new(work)),
                 Spec::default(),
             )
             .map_err(|_| Indefinite)?;
@@ -96,29 +92,42 @@ impl Preconditioner {
     }
 
     /// `solution` = M⁻¹ `residual`.
-    pub fn apply(&mut self, residual: &[f64], solution: &mut [f64], timings: &mut Timings) {
+    pub fn apply(&self, residual: &[f64], solution: &mut [f64], timings: &mut Timings) {
+        let mut sweep = vec![0.0; self.single.len()];
+        self.sweep(0..self.single.nodes(), &self.places, residual, (&mut sweep, solution), timings);
+    }
+
+    /// `solution` = M⁻¹ `residual` on `nodes`, by sweeps over `places`, and the same in harmonics, which are zero before where
+    /// there is no residual.
+    fn sweep(
+        &self,
+        nodes: impl Iterator<Item = usize> + Clone,
+        places: &[u32],
+        residual: &[f64],
+        (harmonics, solution): (&mut [f32], &mut [f64]),
+        timings: &mut Timings,
+    ) {
         let start = Instant::now();
-        let nodes = 0..self.single.nodes();
-        self.single.load(&self.factors, residual, nodes.clone(), &mut self.sweep);
-        self.single.forward(&mut self.sweep, &self.places);
-        solve_dense(&self.factor, &mut self.work, &mut self.sweep);
-        self.single.backward(&mut self.sweep, &self.places);
-        self.single.store(&self.factors, &self.sweep, nodes, solution);
+        self.single.load(&self.factors, residual, nodes.clone(), harmonics);
+        self.single.forward(harmonics, places);
+        self.solve_dense(harmonics);
+        self.single.backward(harmonics, places);
+        self.single.store(&self.factors, harmonics, nodes, solution);
         timings.since(Kernel::Preconditioner, start);
     }
-}
 
-/// Between the sweeps: the rings in contact, which come last.
-fn solve_dense(factor: &Mat<f32>, work: &mut MemBuffer, sweep: &mut [f32]) {
-    let n = factor.nrows();
-    if n > 0 {
-        let first = sweep.len() - n;
-        llt::solve::solve_in_place(
-            factor.as_ref(),
-            MatMut::from_column_major_slice_mut(&mut sweep[first..], n, 1),
-            Par::Seq,
-            MemStack::new(work),
-        );
+    /// Between the sweeps: the rings in contact, which come last.
+    fn solve_dense(&self, sweep: &mut [f32]) {
+        let n = self.factor.nrows();
+        if n > 0 {
+            let first = sweep.len() - n;
+            llt::solve::solve_in_place(
+                self.factor.as_ref(),
+                MatMut::from_column_major_slice_mut(&mut sweep[first..], n, 1),
+                Par::Seq,
+                MemStack::new(&mut MemBuffer::new(llt::solve::solve_in_place_scratch::<f32>(n, 1, Par::Seq))),
+            );
+        }
     }
 }
 

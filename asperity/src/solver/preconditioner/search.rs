@@ -6,7 +6,7 @@
 
 use std::time::Instant;
 
-use super::{Preconditioner, solve_dense};
+use super::Preconditioner;
 use crate::discretisation::runs::Runs;
 use crate::solver::timings::{Kernel, Timings};
 
@@ -49,21 +49,14 @@ impl Search {
     /// `solution` = M⁻¹ `residual` on the nodes of the search.
     pub fn apply(
         &mut self,
-        preconditioner: &mut Preconditioner,
+        preconditioner: &Preconditioner,
         residual: &[f64],
         solution: &mut [f64],
         timings: &mut Timings,
     ) {
-        let start = Instant::now();
-        let Preconditioner { factors, single, factor, work, .. } = preconditioner;
-        let nodes = || self.nodes.iter().copied();
         self.entries.iter().for_each(|run| self.solution[run].fill(0.0));
-        single.load(factors, residual, nodes(), &mut self.solution);
-        single.forward(&mut self.solution, &self.within);
-        solve_dense(factor, work, &mut self.solution);
-        single.backward(&mut self.solution, &self.within);
-        single.store(factors, &self.solution, nodes(), solution);
-        timings.since(Kernel::Preconditioner, start);
+        let nodes = self.nodes.iter().copied();
+        preconditioner.sweep(nodes, &self.within, residual, (&mut self.solution, solution), timings);
     }
 
     /// New search direction: the last solution plus `rate` times the previous direction.
