@@ -37,16 +37,16 @@ impl Snapshot {
         let (rings, columns) = (contact.radii.len(), contact.angles.len());
         // The state is stored ring by ring.
         let places = || (0..columns).flat_map(|j| (0..rings).map(move |k| k * columns + j));
-        let shear = |at: usize| state.traction[at][0].hypot(state.traction[at][1]);
+        let shear = |at: usize| state[at].traction[0].hypot(state[at].traction[1]);
         let rise = |at: usize| conduction.map_or(0.0, |c| c.committed[contact.scalar_place(at)]);
         Self {
             slip: now.slip * units.length,
             time: now.time * units.time,
-            status: places().map(|at| state.status[at]).collect(),
-            pressure: places().map(|at| units.stress * state.pressure[at]).collect(),
+            status: places().map(|at| state[at].status).collect(),
+            pressure: places().map(|at| units.stress * state[at].pressure).collect(),
             shear: places().map(|at| units.stress * shear(at)).collect(),
             temperature: places().map(|at| units.temperature + rise(at)).collect(),
-            slip_distance: places().map(|at| units.length * state.slip[at]).collect(),
+            slip_distance: places().map(|at| units.length * state[at].slip).collect(),
         }
     }
 }

@@ -187,8 +187,8 @@ fn peak_pressure(contact: &Contact) -> f64 {
     let inner = contact.radii.iter().take_while(|&&r| r < 0.5 * radius).count();
     // One angle; areas are those of the half body.
     let area: f64 = contact.areas[..inner].iter().sum();
-    let pairs = contact.areas.iter().zip(&contact.committed.pressure).take(inner);
-    let load: f64 = pairs.map(|(area, pressure)| area * pressure).sum();
+    let pairs = contact.areas.iter().zip(&contact.committed).take(inner);
+    let load: f64 = pairs.map(|(area, state)| area * state.pressure).sum();
     let share = 2.0 * area / (std::f64::consts::PI * radius * radius);
     load / area * 1.5 * share / (1.0 - (1.0 - share).powf(1.5))
 }

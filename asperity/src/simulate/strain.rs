@@ -62,7 +62,7 @@ fn added_by_slide(strength_ratio: f64, interference: f64) -> f64 {
 /// body: its limit, or twice the mean traction 8Gs/((2 − ν)πa) of a contact that sticks all the way.
 fn strength_ratio(scene: &Scene, problem: &Problem, contact: &Contact) -> f64 {
     let at = ContactPoint {
-        pressure: contact.committed.pressure.iter().copied().fold(0.0, f64::max),
+        pressure: contact.committed.iter().fold(0.0, |largest, state| f64::max(largest, state.pressure)),
         contact_fraction: 1.0,
         strength: problem.strength_factor * SHEAR_RATIO,
         temperature: problem.units.temperature,

@@ -3,7 +3,7 @@
 //! In contact the surface is plane: areas grow by det ∂x/∂X of its in-plane deformation, taken midway between two
 //! rings.
 
-use super::{Contact, ContactState};
+use super::{Contact, PointState};
 use crate::discretisation::collocation::Parity;
 
 impl Contact {
@@ -20,12 +20,12 @@ impl Contact {
         largest
     }
 
-    fn deformed_areas(&self, state: &ContactState) -> Vec<f64> {
+    fn deformed_areas(&self, state: &[PointState]) -> Vec<f64> {
         let columns = self.columns;
         // (r, θ) components of the displacement. The part of the flat in the relative displacement is a translation.
         let displacement: Vec<f64> = (0..self.radii.len())
             .flat_map(|ring| (0..2).map(move |c| (ring, c)))
-            .flat_map(|(ring, c)| (0..columns).map(move |j| -state.relative[ring * columns + j][c]))
+            .flat_map(|(ring, c)| (0..columns).map(move |j| -state[ring * columns + j].relative[c]))
             .collect();
         let mut slope = vec![0.0; displacement.len()];
         self.sectors.differentiate(&[Parity::Even, Parity::Odd], &displacement, &mut slope);
@@ -69,7 +69,7 @@ mod tests {
             let (sin, cos) = contact.angles[i % contact.columns].sin_cos();
             let (x, y) = ((stretch_x - 1.0) * r * cos + shift, (stretch_y - 1.0) * r * sin);
             // The flat has gone 0.5.
-            contact.trial.relative[i] = [0.5 * cos - (x * cos + y * sin), -0.5 * sin - (y * cos - x * sin)];
+            contact.trial[i].relative = [0.5 * cos - (x * cos + y * sin), -0.5 * sin - (y * cos - x * sin)];
         }
         let change = contact.update_areas(false);
         assert!((change - (1.0 - stretch_x * stretch_y).abs()).abs() < 1e-12, "{change}");

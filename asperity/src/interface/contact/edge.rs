@@ -1,6 +1,6 @@
 //! Contact fraction of each node: the part of its area inside the contact edge.
 
-use super::{Contact, ContactState, Status};
+use super::{Contact, PointState, Status};
 use crate::interface::contact_edge::EdgeRatios;
 use crate::scene::fitted_constants::contact_edge::FITTED;
 
@@ -24,15 +24,15 @@ impl Contact {
         if last == 0 || last + 2 >= self.radii.len() {
             return None;
         }
-        let (gap, beyond) = (self.trial.gap[at(last + 1)], self.trial.gap[at(last + 2)]);
+        let (gap, beyond) = (self.trial[at(last + 1)].gap, self.trial[at(last + 2)].gap);
         let (rise, spacing) = (beyond - gap, self.radii[last + 2] - self.radii[last + 1]);
         let inner = at(last - 1);
-        let pressure = self.trial.pressure[inner];
-        let slips = self.trial.status[inner] == Status::Slip;
-        let inclination = if slips { self.shear_slope * self.trial.traction[inner][0] } else { 0.0 };
+        let pressure = self.trial[inner].pressure;
+        let slips = self.trial[inner].status == Status::Slip;
+        let inclination = if slips { self.shear_slope * self.trial[inner].traction[0] } else { 0.0 };
         let opens = rise > 0.0;
         Some(EdgeRatios {
-            load: if pressure > 0.0 { (self.trial.pressure[at(last)] / pressure).min(1.0) } else { 1.0 },
+            load: if pressure > 0.0 { (self.trial[at(last)].pressure / pressure).min(1.0) } else { 1.0 },
             gap: if opens {
                 (gap / rise * spacing / (self.radii[last + 1] - self.radii[last])).clamp(0.0, 1.0)
             } else {
@@ -44,7 +44,7 @@ impl Contact {
 
     /// Outermost ring that touches at an angle in the trial state.
     pub fn last_ring(&self, j: usize) -> Option<usize> {
-        (0..self.radii.len()).rev().find(|&k| self.trial.pressure[k * self.columns + j] > 0.0)
+        (0..self.radii.len()).rev().find(|&k| self.trial[k * self.columns + j].pressure > 0.0)
     }
 
     /// Place of the edge at each angle: the sum of the contact fractions.
@@ -68,15 +68,15 @@ impl Contact {
     }
 
     /// Area of a point inside the edge, in the given state; none where the surface has lifted off within the contact.
-    pub fn covered_area(&self, state: &ContactState, point: usize) -> f64 {
+    pub fn covered_area(&self, state: &[PointState], point: usize) -> f64 {
         let fraction = self.contact_fraction[point];
-        let in_contact = state.status[point] != Status::Open || fraction < 1.0;
+        let in_contact = state[point].status != Status::Open || fraction < 1.0;
         if in_contact { self.areas[point] * fraction } else { 0.0 }
     }
 
     /// Whether the contact has come so near the rim of the mesh that its edge cannot be located.
-    pub fn at_rim(&self, state: &ContactState) -> bool {
-        let touching = |i: &usize| state.pressure[*i] > 0.0;
+    pub fn at_rim(&self, state: &[PointState]) -> bool {
+        let touching = |i: &usize| state[*i].pressure > 0.0;
         let outermost = (0..self.len()).rev().find(touching).map_or(0, |i| i / self.columns);
         outermost + 2 >= self.radii.len()
     }

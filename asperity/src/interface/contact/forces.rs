@@ -6,24 +6,24 @@ impl Contact {
     /// Subtracts the forces of the flat on the asperity from a residual.
     pub fn subtract_force(&self, residual: &mut [f64]) {
         for i in 0..self.len() {
-            if self.trial.status[i] == Status::Open {
+            if self.trial[i].status == Status::Open {
                 continue;
             }
-            let [radial, hoop] = self.trial.traction[i];
+            let [radial, hoop] = self.trial[i].traction;
             residual[self.place(i, 0)] -= self.areas[i] * radial;
             residual[self.place(i, 1)] -= self.areas[i] * hoop;
-            residual[self.place(i, 2)] += self.areas[i] * self.trial.pressure[i];
+            residual[self.place(i, 2)] += self.areas[i] * self.trial[i].pressure;
         }
     }
 
     /// Work of the forces of the flat on a displacement of the asperity.
     pub fn work_on(&self, u: &[f64]) -> f64 {
         (0..self.len())
-            .filter(|&i| self.trial.status[i] != Status::Open)
+            .filter(|&i| self.trial[i].status != Status::Open)
             .map(|i| {
-                let [radial, hoop] = self.trial.traction[i];
+                let [radial, hoop] = self.trial[i].traction;
                 let at = |c: usize| u[self.place(i, c)];
-                self.areas[i] * (radial * at(0) + hoop * at(1) - self.trial.pressure[i] * at(2))
+                self.areas[i] * (radial * at(0) + hoop * at(1) - self.trial[i].pressure * at(2))
             })
             .sum()
     }
@@ -54,7 +54,7 @@ impl Contact {
     #[cfg(test)]
     pub fn add_tangent_product(&self, u: &[f64], force: &mut [f64]) {
         for i in 0..self.len() {
-            if self.trial.status[i] == Status::Open {
+            if self.trial[i].status == Status::Open {
                 continue;
             }
             let local: [f64; 3] = std::array::from_fn(|c| u[self.place(i, c)]);

@@ -13,7 +13,7 @@
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::element::RevolvedMesh;
 use crate::discretisation::mesh::sphere_height;
-pub use state::{ContactState, Status};
+pub use state::{PointState, Status};
 
 mod areas;
 mod edge;
@@ -59,8 +59,8 @@ pub struct Contact {
     tangential_spring: Vec<f64>,
     /// Share of the tangential spring in the step in which a point touches.
     touching_share: f64,
-    pub committed: ContactState,
-    pub trial: ContactState,
+    pub committed: Vec<PointState>,
+    pub trial: Vec<PointState>,
     /// Part of each node's area inside the contact edge.
     pub contact_fraction: Vec<f64>,
     /// Points that are in contact since the start of the present motion.
@@ -103,8 +103,8 @@ impl Contact {
             normal_spring: (0..=last).map(|k| NORMAL_SPRING * modulus / spacing(k)).collect(),
             touching_share: TOUCH_SPRING / tangential,
             tangential_spring: (0..=last).map(|k| tangential * modulus / spacing(k)).collect(),
-            committed: ContactState::new(points),
-            trial: ContactState::new(points),
+            committed: vec![PointState::default(); points],
+            trial: vec![PointState::default(); points],
             contact_fraction: vec![1.0; points],
             since_start: vec![true; points],
             stiffness: vec![[[0.0; 3]; 3]; points],
@@ -122,11 +122,10 @@ impl Contact {
     ) -> Self {
         let mut contact = Self::with_springs(mesh, modulus, SLIDE_SPRING);
         contact.shear_slope = shear_slope(modulus, poisson_ratio);
-        contact.committed = axisymmetric.committed.spread(&mesh.sectors);
-        for i in 0..contact.len() {
+        contact.committed = mesh.sectors.spread(&axisymmetric.committed);
+        for (i, state) in contact.committed.iter_mut().enumerate() {
             let spring = contact.tangential_spring[i / contact.columns];
-            let state = &mut contact.committed;
-            state.anchor[i] = std::array::from_fn(|c| state.relative[i][c] - state.traction[i][c] / spring);
+            state.anchor = std::array::from_fn(|c| state.relative[c] - state.traction[c] / spring);
         }
         contact.trial = contact.committed.clone();
         // Areas of the press are those of the whole half circle.
@@ -140,12 +139,20 @@ impl Contact {
 
     /// Points that touch stick where they are: friction begins after a press without it.
     pub fn stick(&mut self) {
-        for (status, slip) in self.committed.status.iter_mut().zip(&mut self.committed.slip) {
-            if *status == Status::Slip {
-                (*status, *slip) = (Status::Stick, 0.0);
-            }
+        for state in self.committed.iter_mut().filter(|state| state.status == Status::Slip) {
+            (state.status, state.slip) = (Status::Stick, 0.0);
         }
         self.trial = self.committed.clone();
+    }
+
+    /// [`PointState::elevation`] of all points.
+    pub fn elevation(&self) -> Vec<[f64; 2]> {
+        self.trial.iter().map(|state| state.elevation).collect()
+    }
+
+    /// Sets the elevation of the flat.
+    pub fn raise(&mut self, elevation: &[[f64; 2]]) {
+        self.trial.iter_mut().zip(elevation).for_each(|(state, elevation)| state.elevation = *elevation);
     }
 
     pub fn len(&self) -> usize {
@@ -175,11 +182,10 @@ impl Contact {
             let (sin, cos) = self.angles[column].sin_cos();
             let at = |c: usize| u(self.place(i, c));
             let relative = [flat.displacement * cos - at(0), -flat.displacement * sin - at(1)];
-            let penetration = self.height[ring] + at(2) + flat.interference + self.trial.elevation[i][0];
+            let penetration = self.height[ring] + at(2) + flat.interference + self.trial[i].elevation[0];
             let pressure = self.normal_spring[ring] * penetration;
-            self.trial.gap[i] = -penetration;
-            self.trial.relative[i] = relative;
-            self.trial.pressure[i] = pressure.max(0.0);
+            let state = &mut self.trial[i];
+            (state.gap, state.relative, state.pressure) = (-penetration, relative, pressure.max(0.0));
             self.stiffness[i] = [[0.0; 3]; 3];
             if pressure > 0.0 {
                 inside[column] = true;
@@ -188,9 +194,7 @@ impl Contact {
             } else if !inside[column] && limit[i] > 0.0 && limit[i].is_finite() {
                 self.evaluate_shear(i, limit[i]);
             } else {
-                self.trial.status[i] = Status::Open;
-                self.trial.traction[i] = [0.0; 2];
-                self.trial.slip[i] = self.committed.slip[i];
+                (state.status, state.traction, state.slip) = (Status::Open, [0.0; 2], self.committed[i].slip);
             }
         }
     }
@@ -199,38 +203,37 @@ impl Contact {
     #[inline(always)]
     fn evaluate_shear(&mut self, i: usize, limit: f64) {
         let tangential = self.tangential_spring[i / self.columns];
-        let (area, relative) = (self.areas[i], self.trial.relative[i]);
-        let state = &mut self.trial;
-        let before = &self.committed;
+        let (area, relative) = (self.areas[i], self.trial[i].relative);
+        let state = &mut self.trial[i];
+        let before = &self.committed[i];
         // The spring over the usual one, the displacement at which it has no force, and the slip over its excess force. Where a
         // covered part of the cell does not reach the point itself, the spring stays soft, and begins as one of that part.
-        let (touches, soft) = (state.pressure[i] > 0.0, self.touching_share);
-        let (start, share, yielding) = match before.status[i] {
-            Status::Open if touches => (before.relative[i], soft, 1.0),
-            Status::Open => (before.relative[i], soft * self.contact_fraction[i], 1.0),
-            _ if touches => (before.anchor[i], 1.0, 1.0),
+        let (touches, soft) = (state.pressure > 0.0, self.touching_share);
+        let (start, share, yielding) = match before.status {
+            Status::Open if touches => (before.relative, soft, 1.0),
+            Status::Open => (before.relative, soft * self.contact_fraction[i], 1.0),
+            _ if touches => (before.anchor, 1.0, 1.0),
             _ => {
-                let without_force =
-                    |c: usize| before.relative[i][c] - before.traction[i][c] / (soft * tangential);
+                let without_force = |c: usize| before.relative[c] - before.traction[c] / (soft * tangential);
                 (std::array::from_fn(without_force), soft, soft)
             }
         };
         let stick: [f64; 2] = std::array::from_fn(|c| share * tangential * (relative[c] - start[c]));
         let size = stick[0].hypot(stick[1]);
-        state.limit[i] = limit;
+        state.limit = limit;
         if size <= limit && limit > 0.0 {
-            state.status[i] = Status::Stick;
-            state.traction[i] = stick;
-            state.slip[i] = self.committed.slip[i];
+            state.status = Status::Stick;
+            state.traction = stick;
+            state.slip = before.slip;
             for c in 0..2 {
                 self.stiffness[i][c][c] = area * share * tangential;
             }
         } else {
-            state.status[i] = Status::Slip;
+            state.status = Status::Slip;
             let direction = if size > 0.0 { [stick[0] / size, stick[1] / size] } else { [1.0, 0.0] };
             let rotation = if size > 0.0 { limit / size } else { 0.0 };
-            state.traction[i] = direction.map(|d| limit * d);
-            state.slip[i] = self.committed.slip[i] + (size - limit) / (yielding * tangential);
+            state.traction = direction.map(|d| limit * d);
+            state.slip = before.slip + (size - limit) / (yielding * tangential);
             for c in 0..2 {
                 for d in 0..2 {
                     let unit = if c == d { 1.0 } else { 0.0 };
@@ -239,21 +242,21 @@ impl Contact {
                 }
             }
         }
-        state.anchor[i] = std::array::from_fn(|c| relative[c] - state.traction[i][c] / tangential);
+        state.anchor = std::array::from_fn(|c| relative[c] - state.traction[c] / tangential);
     }
 
     /// Takes the trial state as the committed one.
     pub fn commit(&mut self) {
         self.committed.clone_from(&self.trial);
         self.committed_areas.copy_from_slice(&self.areas);
-        for (since_start, pressure) in self.since_start.iter_mut().zip(&self.committed.pressure) {
-            *since_start &= *pressure > 0.0;
+        for (since_start, state) in self.since_start.iter_mut().zip(&self.committed) {
+            *since_start &= state.pressure > 0.0;
         }
     }
 
     /// A motion starts from the committed state.
     pub fn start_motion(&mut self) {
-        self.since_start = self.committed.pressure.iter().map(|pressure| *pressure > 0.0).collect();
+        self.since_start = self.committed.iter().map(|state| state.pressure > 0.0).collect();
     }
 }
 

@@ -142,7 +142,7 @@ impl Coupling<'_> {
         let elevation = self.conduction.as_ref()?.elevation(area)?;
         self.heat_time += clock.elapsed().as_secs_f64();
         let changes =
-            elevation.iter().zip(&contact.trial.elevation).map(|(now, before)| (now[0] - before[0]).abs());
+            elevation.iter().zip(&contact.trial).map(|(now, state)| (now[0] - state.elevation[0]).abs());
         let change = changes.fold(0.0, f64::max) / self.problem.interference;
         self.elevations_left = if change > self.tolerance { self.elevations_left - 1 } else { 0 };
         Some((elevation, change))
@@ -183,7 +183,7 @@ impl Slide<'_> {
         let from = self.last().slip;
         // The predictor determines the points in contact, which do not depend on the shear limits.
         let contact = &mut self.mechanics.contact;
-        contact.trial.elevation = elevation;
+        contact.raise(&elevation);
         contact.evaluate(|place| start[place], flat, &vec![0.0; contact.len()]);
         contact.set_edges(&edges);
         let mut coupling = Coupling {

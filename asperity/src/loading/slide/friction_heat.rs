@@ -102,9 +102,9 @@ impl HeatSources {
 /// Whether a point has no friction for the rest of the step because it chatters, and so no heat of friction.
 fn is_released(contact: &Contact, point: usize) -> bool {
     let state = &contact.trial;
-    state.status[point] != Status::Open
+    state[point].status != Status::Open
         && contact.contact_fraction[point] > 0.0
-        && state.traction[point] == [0.0; 2]
+        && state[point].traction == [0.0; 2]
 }
 
 /// Largest and mean temperature rise over the contact.

@@ -40,7 +40,7 @@ pub struct Predictor {
     pub interference: f64,
     /// Of the contact, along each angle.
     pub edges: Vec<f64>,
-    /// Of the flat, see [`crate::interface::contact::ContactState`].
+    /// Of the flat, see [`crate::interface::contact::PointState`].
     pub elevation: Vec<[f64; 2]>,
 }
 

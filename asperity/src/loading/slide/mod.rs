@@ -283,7 +283,7 @@ impl<'a> Slide<'a> {
             displacement: self.mechanics.displacement.clone(),
             interference: self.interference,
             edges: self.mechanics.contact.edges(),
-            elevation: self.mechanics.contact.trial.elevation.clone(),
+            elevation: self.mechanics.contact.elevation(),
         }
     }
 

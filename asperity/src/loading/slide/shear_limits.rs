@@ -34,7 +34,7 @@ pub fn interface_hardening(
 /// rise.
 pub fn shear_limit_at(problem: &Problem, contact: &Contact, point: usize, hardened: f64, rise: f64) -> f64 {
     let at = ContactPoint {
-        pressure: contact.trial.pressure[point],
+        pressure: contact.trial[point].pressure,
         contact_fraction: contact.contact_fraction[point],
         strength: shear_strength(problem, hardened, rise),
         temperature: problem.units.temperature + rise,

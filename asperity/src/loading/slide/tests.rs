@@ -212,7 +212,7 @@ fn a_slide_after_a_press_without_friction_begins_in_stick() {
         let slide = ready(&problem);
         let contact = &slide.mechanics.contact;
         assert_eq!(slide.history[0].stick_fraction, sticks, "{changes:?}");
-        assert!(contact.committed.traction.iter().all(|traction| traction[0].hypot(traction[1]) == 0.0));
+        assert!(contact.committed.iter().all(|state| state.traction[0].hypot(state.traction[1]) == 0.0));
     }
 }
 

@@ -28,7 +28,7 @@ impl Chattering {
 
     /// Records the present state, and sets the friction of points that chatter to zero.
     pub fn damp(&mut self, contact: &Contact, limit: &mut [f64]) -> bool {
-        let open: Vec<bool> = contact.trial.status.iter().map(|&s| s == Status::Open).collect();
+        let open: Vec<bool> = contact.trial.iter().map(|state| state.status == Status::Open).collect();
         let mut damped = false;
         for i in 0..self.open.len() {
             if open[i] != self.open[i] {
@@ -53,7 +53,7 @@ impl Chattering {
 
     /// Largest friction of the points in contact: removed, and remaining.
     fn friction(&self, contact: &Contact, limit: &[f64]) -> (f64, f64) {
-        (0..limit.len()).filter(|&i| contact.trial.status[i] != Status::Open).fold(
+        (0..limit.len()).filter(|&i| contact.trial[i].status != Status::Open).fold(
             (0.0, 0.0),
             |(taken, left), i| {
                 let area = contact.areas[i];
@@ -65,6 +65,6 @@ impl Chattering {
 
 /// Largest shear traction of a point: its limit, or without one the traction that it begins the step with.
 fn largest_traction(contact: &Contact, limit: &[f64], point: usize) -> f64 {
-    let [radial, hoop] = contact.committed.traction[point];
+    let [radial, hoop] = contact.committed[point].traction;
     if limit[point].is_finite() { limit[point] } else { radial.hypot(hoop) }
 }

@@ -249,7 +249,7 @@ impl Mechanics {
         }
         if let Some(mut data) = next {
             let raised =
-                data.elevation.take().map(|elevation| self.raise(&mut now.u, elevation, line.control));
+                data.elevation.take().map(|elevation| self.raise(&mut now.u, &elevation, line.control));
             if raised.is_some() || !ahead && data.rise.is_some() {
                 self.internal_force(&now.u[..self.internal.len()], data.rise.as_deref());
             }
@@ -260,17 +260,17 @@ impl Mechanics {
 
     /// Raises the flat to another elevation, and the displacement with it as of an elastic body: the normal springs are so stiff
     /// that the contact would change at the least elevation alone.
-    fn raise(&mut self, u: &mut [f64], elevation: Vec<[f64; 2]>, control: LoadingControl) {
+    fn raise(&mut self, u: &mut [f64], elevation: &[[f64; 2]], control: LoadingControl) {
         let size = self.internal.len();
         let [mut force, mut direction] = [0, 1].map(|_| vec![0.0; u.len()]);
-        let before = std::mem::replace(&mut self.contact.trial.elevation, elevation);
+        let before = self.contact.elevation();
+        self.contact.raise(&elevation);
         // That of the contact in which the springs are raised.
         if self.update_preconditioner(control).is_err() {
             return;
         }
-        let now = &self.contact.trial.elevation;
-        let load =
-            self.contact.add_height_product(|point| now[point][0] - before[point][0], &mut force[..size]);
+        let rise = |point: usize| elevation[point][0] - before[point][0];
+        let load = self.contact.add_height_product(rise, &mut force[..size]);
         if let Some(of_load) = force.get_mut(size) {
             *of_load = load;
         }
