@@ -3,7 +3,7 @@
 //!
 //! | room | content |
 //! |---|---|
-//! | [`quantity`] | the list of quantities, values and histories by quantity, numbers as text |
+//! | [`quantity`] | the list of quantities, values and histories by quantity, numbers as text, functions of one number |
 //! | [`law`] | interface of the single-asperity response, of tables and closed forms |
 //! | [`closed_forms`] | models of the literature |
 //! | [`table`] | axes, cells and their state, merging, comparison |
@@ -25,4 +25,4 @@ pub mod refinement;
 pub mod shipped;
 pub mod table;
 
-pub use quantity::numbers;
+pub use quantity::{functions, numbers};

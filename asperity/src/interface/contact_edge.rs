@@ -19,6 +19,8 @@
 //! contact continues in a foot with vanishing pressure, in which the shear traction falls from its limit to zero. The edge is
 //! further out by c |s|/(K√h), h the ring spacing.
 
+use tables::functions::bisect;
+
 use crate::scene::fitted_constants::contact_edge::{Blunt, EdgeConstants};
 
 /// Tolerance of the difference of the two values of t.
@@ -46,17 +48,11 @@ impl EdgeConstants {
     pub fn place_without_shear(&self, &EdgeRatios { load, gap, .. }: &EdgeRatios) -> f64 {
         // t from ρ falls and t from γ rises with the bluntness. By bisection: hot slides amplify the rounding of
         // faster methods.
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..40 {
-            let middle = 0.5 * (low + high);
-            let (from_load, from_gap) = self.passed(load, gap, middle);
+        let [low, high] = bisect([0.0, 1.0], 40, |bluntness| {
+            let (from_load, from_gap) = self.passed(load, gap, bluntness);
             // Where a ring has just touched, both are 0 or both 1 over an interval: its upper end is taken.
-            if from_load >= from_gap - ROUNDING {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
+            from_load >= from_gap - ROUNDING
+        });
         let (from_load, from_gap) = self.passed(load, gap, 0.5 * (low + high));
         // Where no bluntness gives equal values: 1 where the next ring touches and 0 where the last one does, so that the
         // edge does not jump.

@@ -43,7 +43,7 @@ use crate::simulate::expected_time::expected_time_but_for_hot_properties;
 use crate::simulate::outcome::Outcome;
 use messages::RunProgress;
 pub use pressed::{Pressed, PressedContact, press};
-pub(crate) use pressed::{bisect, largest_interference, press_error};
+pub(crate) use pressed::{largest_interference, press_error};
 use run::Run;
 use runs::Runner;
 

@@ -1,10 +1,10 @@
 //! The press: on the planned resolutions, shared by slides at any slip rate.
 
-use std::convert::Infallible;
 use std::sync::Arc;
 use std::time::Instant;
 
 use rayon::prelude::*;
+use tables::functions::bisect;
 use tables::numbers::{digits, plain};
 use tables::quantity::{Estimate, Quantity};
 
@@ -318,25 +318,12 @@ pub(crate) fn largest_interference(scene: &Scene) -> Option<f64> {
 /// Interference, in ω_c, up to which a mesh laid out for the contact radius to expect fits.
 fn deepest(problem: &Problem, fits: impl Fn(f64) -> bool) -> f64 {
     let asked = problem.interference / problem.critical_interference;
-    let Ok([fitting, _]) = bisect([0.0, asked], 50, |middle| {
+    let [fitting, _] = bisect([0.0, asked], 50, |middle| {
         let interference = middle * problem.critical_interference;
         let there = Problem { interference, ..problem.clone() };
-        Ok::<_, Infallible>(fits(there.expected_contact_radius()))
+        fits(there.expected_contact_radius())
     });
     fitting
-}
-
-/// Halves a bracket at whose start a condition holds and at whose end it does not.
-pub(crate) fn bisect<E>(
-    [mut start, mut end]: [f64; 2],
-    halvings: usize,
-    mut holds: impl FnMut(f64) -> Result<bool, E>,
-) -> Result<[f64; 2], E> {
-    for _ in 0..halvings {
-        let middle = 0.5 * (start + end);
-        if holds(middle)? { start = middle } else { end = middle }
-    }
-    Ok([start, end])
 }
 
 pub fn press_error(failure: PressFailure) -> SimulationError {

@@ -9,6 +9,8 @@
 
 use std::f64::consts::PI;
 
+use crate::functions::bisect;
+
 /// E* = E/(1−ν²), Pa: contact modulus of an elastic body against a rigid one.
 pub fn contact_modulus(youngs_modulus: f64, poisson_ratio: f64) -> f64 {
     youngs_modulus / (1.0 - poisson_ratio * poisson_ratio)
@@ -105,15 +107,7 @@ pub fn first_yield_depth(poisson_ratio: f64) -> f64 {
         let decay = 1.0 / (1.0 + s * s);
         (1.0 + poisson_ratio) * (inverse_tangent(s) - s * decay) - 3.0 * s * decay * decay
     };
-    let (mut above, mut below) = (0.0, 1.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (above + below);
-        if slope(middle) > 0.0 {
-            above = middle;
-        } else {
-            below = middle;
-        }
-    }
+    let [above, below] = bisect([0.0, 1.0], 60, |s| slope(s) > 0.0);
     0.5 * (above + below)
 }
 

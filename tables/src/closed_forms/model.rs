@@ -3,6 +3,7 @@
 use super::crossings::where_equal;
 use super::partial_slip::constant_shear;
 use super::{ElasticPlastic, brizmer, chang_etsion_bogy, hertz, jackson_green, kogut_etsion};
+use crate::functions::bisect;
 use crate::law::{
     AboveRange, AsperityLaw, Estimate, LARGEST_CONTACT, LookupError, OptionalEstimate, Response,
 };
@@ -145,18 +146,12 @@ impl ClosedForm {
 
     /// ω/ω_c at which A = π (0.4 R)².
     fn largest_interference(&self) -> f64 {
-        let (mut low, mut high) = (f64::MIN_POSITIVE.ln(), f64::MAX.ln());
-        for _ in 0..64 {
-            let middle = 0.5 * (low + high);
-            let (_, area) = self.load_and_area(middle.exp());
+        let [largest, _] = bisect([f64::MIN_POSITIVE, f64::MAX].map(f64::ln), 64, |logarithm| {
+            let (_, area) = self.load_and_area(logarithm.exp());
             // A_c = π R ω_c.
-            if area * self.critical_over_radius < LARGEST_CONTACT.powi(2) {
-                low = middle
-            } else {
-                high = middle
-            }
-        }
-        low.exp()
+            area * self.critical_over_radius < LARGEST_CONTACT.powi(2)
+        });
+        largest.exp()
     }
 
     /// (P/P_c, A/A_c) at ω/ω_c, with P_c and A_c of first yield without friction.

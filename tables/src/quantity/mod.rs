@@ -7,9 +7,10 @@
 //! `asperity`.
 //!
 //! Results are [`Scalars`] and [`History`], keyed by [`Quantity`]; [`numbers`] writes them as text. [`plausible`] has the
-//! ranges of input quantities. Depends on no
-//! other room. Chapter "What is reported" of the book.
+//! ranges of input quantities, [`functions`] has bisection. Depends on no other room. Chapter "What
+//! is reported" of the book.
 
+pub mod functions;
 mod history;
 mod list;
 pub mod numbers;

@@ -1,5 +1,7 @@
 //! Line search of Newton's method: the step at which the slope of the energy along the direction has fallen enough.
 
+use tables::functions::bisect;
+
 use super::{CouplingData, LoadingControl, Mechanics};
 use crate::interface::contact::FlatPosition;
 use crate::material::lanes::dot;
@@ -120,17 +122,11 @@ impl Mechanics {
         high: (f64, f64),
         limit: &[f64],
     ) -> f64 {
-        let (mut left, mut right) = (low.0, high.0);
-        for _ in 0..40 {
-            let middle = 0.5 * (left + right);
-            let body = low.1 + (high.1 - low.1) * (middle - low.0) / (high.0 - low.0);
-            if body + self.contact_slope(u, line, middle, limit) > 0.0 {
-                right = middle;
-            } else {
-                left = middle;
-            }
-        }
         let width = high.0 - low.0;
-        right.clamp(low.0 + 0.01 * width, high.0 - 0.01 * width)
+        let [root, _] = bisect([high.0, low.0], 40, |step| {
+            let body = low.1 + (high.1 - low.1) * (step - low.0) / width;
+            body + self.contact_slope(u, line, step, limit) > 0.0
+        });
+        root.clamp(low.0 + 0.01 * width, high.0 - 0.01 * width)
     }
 }

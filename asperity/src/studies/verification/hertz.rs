@@ -7,13 +7,14 @@
 use std::f64::consts::PI;
 
 use tables::closed_forms::hertz::{pressure, stresses};
+use tables::functions::try_bisect;
 use tables::law::Estimate;
 
 use super::setup::{Hertz, mesh, plain_material, run_press, scene};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::discretisation::body::mises;
 use crate::scene::{FrictionLaw, Scene};
-use crate::simulate::{PressedContact, SimulationError, Watch, bisect, press};
+use crate::simulate::{PressedContact, SimulationError, Watch, press};
 
 const HERTZ: &str = "Hertz 1882; Johnson 1985, sec. 4.2";
 const YIELD: &str = "maximum of the von Mises stress on the axis, Johnson 1985, eq. 3.45";
@@ -120,7 +121,7 @@ fn first_yield(elements: usize, poisson: f64, watch: &dyn Watch) -> Rows {
     let exact = largest(means.iter().map(|mean| exact_mises(&scene_at(ELASTIC), &mean.points)));
     let by_means = (exact / largest(means.iter().map(|mean| mean.mises))).powi(2);
     let is_elastic = |interference: f64| Ok(pressed(interference)?.contact().plastic_strain_max == 0.0);
-    let [elastic, plastic] = bisect(BRACKET, 7, is_elastic)?;
+    let [elastic, plastic] = try_bisect(BRACKET, 7, is_elastic)?;
     let row = |name: &str, computed: f64, source, bound: f64, why| {
         let name = format!("{name} over omega_c, nu = {poisson}, {elements} elements");
         Row::new(name, computed, Reference::exact(1.0, source), Tolerance::relative(bound, why))

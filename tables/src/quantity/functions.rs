@@ -1,0 +1,37 @@
+//! Functions of one number: where a condition ends to hold.
+
+use std::convert::Infallible;
+
+/// Halves a bracket at whose start a condition holds and at whose end it does not.
+pub fn bisect(bracket: [f64; 2], halvings: usize, mut holds: impl FnMut(f64) -> bool) -> [f64; 2] {
+    let Ok(bracket) = try_bisect(bracket, halvings, |middle| Ok::<_, Infallible>(holds(middle)));
+    bracket
+}
+
+/// The same of a condition that may fail.
+pub fn try_bisect<E>(
+    [mut start, mut end]: [f64; 2],
+    halvings: usize,
+    mut holds: impl FnMut(f64) -> Result<bool, E>,
+) -> Result<[f64; 2], E> {
+    for _ in 0..halvings {
+        let middle = 0.5 * (start + end);
+        if holds(middle)? { start = middle } else { end = middle }
+    }
+    Ok([start, end])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn brackets_are_halved_in_either_direction() {
+        for bracket in [[1.0, 2.0], [2.0, 1.0]] {
+            let rises = bracket[1] > bracket[0];
+            let [start, end] = bisect(bracket, 50, |x| (x * x < 2.0) == rises);
+            assert!((0.5 * (start + end) - 2f64.sqrt()).abs() < 1e-15);
+        }
+        assert_eq!(try_bisect([0.0, 1.0], 3, |x| if x > 0.6 { Err(x) } else { Ok(true) }), Err(0.75));
+    }
+}
