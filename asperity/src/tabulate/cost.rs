@@ -1,88 +1,7 @@
-//! Run times of cells, fitted to those of finished cells.
-//!
-//! ln t = level + slope·x + curvature·x² + [no heat]·saving + trend·j + share of the j-th slip rate, with
-//! x = ln(ω/ω_max), by least squares with a prior on every term. The priors are means and scatters in tables
-//! of six metals: small interferences take long because their contact edge needs many elements, large ones
-//! because they are at finite strain; a slide without heat takes little more than half the time.
+//! When the cells of a tabulation will be done: by the times expected of their scenes, times the geometric mean of the ratios of
+//! run times to these so far.
 
-use nalgebra::{DMatrix, DVector};
-
-/// A case as far as its run time is concerned.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Case {
-    /// ω₀/ω_c.
-    pub interference: f64,
-    /// Position of the slip rate.
-    pub column: usize,
-    /// Whether heat is expected to be computed.
-    pub heated: bool,
-}
-
-/// Expected value and standard deviation of a term.
-type Prior = (f64, f64);
-
-const LEVEL: Prior = (0.0, 20.0);
-const SLOPE: Prior = (0.3, 0.5);
-const CURVATURE: Prior = (0.05, 0.1);
-const SAVING: Prior = (-0.5, 0.4);
-const TREND: Prior = (0.0, 0.15);
-const COLUMN: Prior = (0.0, 0.15);
-/// Scatter of ln t about the model.
-const SCATTER: f64 = 0.15;
-
-const FIRST_COLUMN: usize = 5;
-
-/// Run times of cases.
-#[derive(Clone, Debug)]
-pub struct CostModel {
-    largest: f64,
-    /// Sums of the normal equations, of which the prior is the start.
-    matrix: DMatrix<f64>,
-    right: DVector<f64>,
-    terms: DVector<f64>,
-}
-
-impl CostModel {
-    /// The prior, for cases up to the interference `largest` at this number of slip rates.
-    pub fn new(largest: f64, columns: usize) -> Self {
-        let priors = [LEVEL, SLOPE, CURVATURE, SAVING, TREND].into_iter();
-        let priors: Vec<Prior> = priors.chain(std::iter::repeat_n(COLUMN, columns)).collect();
-        let weights = DVector::from_iterator(priors.len(), priors.iter().map(|(_, width)| width.powi(-2)));
-        let terms = DVector::from_iterator(priors.len(), priors.iter().map(|(mean, _)| *mean));
-        let right = weights.component_mul(&terms);
-        Self { largest, matrix: DMatrix::from_diagonal(&weights), right, terms }
-    }
-
-    /// Adds the run time of a case to the fit.
-    pub fn learn(&mut self, case: Case, seconds: f64) {
-        if seconds <= 0.0 || !seconds.is_finite() {
-            return;
-        }
-        let row = self.row(case);
-        let weight = SCATTER.powi(-2);
-        self.matrix.ger(weight, &row, &row, 1.0);
-        self.right.axpy(weight * seconds.ln(), &row, 1.0);
-        if let Some(factor) = self.matrix.clone().cholesky() {
-            self.terms = factor.solve(&self.right);
-        }
-    }
-
-    /// Run time of a case, s. Of the prior alone only ratios are meaningful.
-    pub fn seconds(&self, case: Case) -> f64 {
-        self.row(case).dot(&self.terms).exp()
-    }
-
-    fn row(&self, case: Case) -> DVector<f64> {
-        let mut row = DVector::zeros(self.terms.len());
-        let x = (case.interference / self.largest).ln();
-        let saved = if case.heated { 0.0 } else { 1.0 };
-        row.as_mut_slice()[..FIRST_COLUMN].copy_from_slice(&[1.0, x, x * x, saved, case.column as f64]);
-        row[FIRST_COLUMN + case.column] = 1.0;
-        row
-    }
-}
-
-/// State of a case.
+/// State of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum State {
     Waiting,
@@ -91,46 +10,58 @@ enum State {
     Done,
 }
 
-/// When a number of cases will be done. Times are in seconds since any common start.
+/// When a number of cells will be done. Times are in seconds since any common start.
 #[derive(Clone, Debug)]
 pub struct Forecast {
-    model: CostModel,
-    cases: Vec<(Case, State)>,
+    /// Each with its expected time, s.
+    cells: Vec<(f64, State)>,
     workers: usize,
+    /// Sum of the logarithms of run times over those expected, and their number.
+    logarithms: f64,
+    runs: u32,
 }
 
 impl Forecast {
-    /// For `cases` that wait for `workers` threads.
-    pub fn new(model: CostModel, cases: Vec<Case>, workers: usize) -> Self {
-        Self { model, cases: cases.into_iter().map(|case| (case, State::Waiting)).collect(), workers }
+    /// For cells with these expected times, s, that wait for `workers` threads.
+    pub fn new(expected: &[f64], workers: usize) -> Self {
+        let cells = expected.iter().map(|seconds| (*seconds, State::Waiting)).collect();
+        Self { cells, workers, logarithms: 0.0, runs: 0 }
     }
 
-    /// A case is being run.
-    pub fn started(&mut self, case: usize, now: f64) {
-        self.cases[case].1 = State::Running(now);
+    /// A cell is being run.
+    pub fn started(&mut self, cell: usize, now: f64) {
+        self.cells[cell].1 = State::Running(now);
     }
 
-    /// A case is done.
-    pub fn finished(&mut self, case: usize, now: f64) {
-        let (about, state) = self.cases[case];
-        if let State::Running(start) = state {
-            self.model.learn(about, now - start);
+    /// A cell is done.
+    pub fn finished(&mut self, cell: usize, now: f64) {
+        let seconds = if let State::Running(start) = self.cells[cell].1 { now - start } else { f64::NAN };
+        self.took(cell, seconds);
+    }
+
+    /// A cell is done that took this time, s; NaN where that is unknown.
+    pub fn took(&mut self, cell: usize, seconds: f64) {
+        let (expected, state) = &mut self.cells[cell];
+        *state = State::Done;
+        if seconds > 0.0 && seconds.is_finite() {
+            self.logarithms += (seconds / *expected).ln();
+            self.runs += 1;
         }
-        self.cases[case].1 = State::Done;
     }
 
     /// Seconds until all are done.
     pub fn remaining(&self, now: f64) -> f64 {
-        let of = |(case, state): &(Case, State)| {
-            let expected = self.model.seconds(*case);
+        let ratio = (self.logarithms / f64::from(self.runs.max(1))).exp();
+        let of = |(expected, state): &(f64, State)| {
+            let expected = ratio * expected;
             match state {
                 State::Waiting => expected,
-                // A late case is expected to need another tenth of its time.
+                // A late cell is expected to need another tenth of its time.
                 State::Running(start) => (expected - (now - start)).max(0.1 * expected),
                 State::Done => 0.0,
             }
         };
-        let left: Vec<f64> = self.cases.iter().map(of).filter(|seconds| *seconds > 0.0).collect();
+        let left: Vec<f64> = self.cells.iter().map(of).filter(|seconds| *seconds > 0.0).collect();
         let longest = left.iter().fold(0.0, |longest: f64, seconds| longest.max(*seconds));
         let workers = self.workers.min(left.len()).max(1);
         (left.iter().sum::<f64>() / workers as f64).max(longest)
@@ -139,126 +70,58 @@ impl Forecast {
 
 #[cfg(test)]
 mod tests {
+    use super::super::layout::Layout;
     use super::*;
-    use tables::numbers::Spacing::Log;
+    use crate::scene::file::parse_request;
+    use tables::shipped;
 
-    /// Cases of a grid in the order in which they are run: one of the middle, smallest and largest first, then
-    /// from the largest on.
-    fn order(interferences: &[f64], rates: usize) -> Vec<Case> {
-        let case =
-            |i: usize, column: usize| Case { interference: interferences[i], column, heated: column > 0 };
-        let probes = super::super::layout::probes(interferences.len()).map(|i| (i, rates / 2));
-        let rows = (0..interferences.len()).rev();
-        let all = rows.flat_map(|i| (0..rates).map(move |j| (i, j)));
-        probes.into_iter().chain(all.filter(|at| !probes.contains(at))).map(|(i, j)| case(i, j)).collect()
+    /// Expected time and wall time of the cells of a shipped table, s, in the order in which they are run.
+    fn cells(name: &str) -> Vec<(f64, f64)> {
+        let table = shipped::load(name).unwrap();
+        let templates = parse_request(&table.metadata().scene, name, &[]).unwrap().templates();
+        let layout = Layout { templates: &templates, axes: table.axes() };
+        let (expected, columns) = (layout.expected_times(), table.axes().slip_rate.len());
+        let places = layout.order().into_iter().flat_map(|i| (0..columns).map(move |j| (i, j)));
+        let known = places.filter_map(|at| Some((at, table.only().unwrap().cell(at.0, at.1)?.wall_time)));
+        known.map(|(at, seconds)| (expected[layout.position(at)], seconds)).collect()
     }
 
-    /// Ratio of forecast to truth once a tenth of the work is done, for cases of known duration
-    /// run by `workers` threads.
-    fn forecast_over_truth(
-        cases: &[Case],
-        columns: usize,
-        workers: usize,
-        cost: impl Fn(Case) -> f64,
-    ) -> f64 {
-        let largest = cases.iter().map(|case| case.interference).fold(0.0, f64::max);
-        let mut forecast = Forecast::new(CostModel::new(largest, columns), cases.to_vec(), workers);
-        let total: f64 = cases.iter().map(|case| cost(*case)).sum();
-        let mut free = vec![0.0_f64; workers];
-        let mut ends = Vec::new();
-        for (k, case) in cases.iter().enumerate() {
-            let worker = (0..workers).min_by(|a, b| free[*a].total_cmp(&free[*b])).unwrap();
-            let start = free[worker];
-            free[worker] = start + cost(*case);
-            ends.push((start, free[worker], k));
+    /// The forecast after a part of the cells, on one thread, over the time that the others then took.
+    fn forecast_over_truth(cells: &[(f64, f64)], part: f64) -> f64 {
+        let expected: Vec<f64> = cells.iter().map(|cell| cell.0).collect();
+        let mut forecast = Forecast::new(&expected, 1);
+        let (done, mut now) = ((part * cells.len() as f64) as usize, 0.0);
+        for (k, (_, seconds)) in cells[..done].iter().enumerate() {
+            forecast.started(k, now);
+            now += seconds;
+            forecast.finished(k, now);
         }
-        let last = free.into_iter().fold(0.0, f64::max);
-        let mut finished = ends.clone();
-        finished.sort_by(|a, b| a.1.total_cmp(&b.1));
-        let (mut done, mut begun) = (0.0, 0);
-        for (_, end, k) in finished {
-            while begun < ends.len() && ends[begun].0 < end {
-                forecast.started(ends[begun].2, ends[begun].0);
-                begun += 1;
-            }
-            forecast.finished(k, end);
-            done += cost(cases[k]);
-            if done >= 0.1 * total {
-                return forecast.remaining(end) / (last - end);
-            }
-        }
-        panic!("the cases end before a tenth of the work is done");
+        forecast.remaining(now) / cells[done..].iter().map(|cell| cell.1).sum::<f64>()
     }
 
-    /// Scatter of the run times: the same for a case in every run of the test.
-    fn scatter(case: Case) -> f64 {
-        let phase = 12.9898 * case.interference.ln() + 78.233 * case.column as f64;
-        1.0 + 0.2 * (43758.5453 * phase.sin()).sin()
+    /// A third of the cells, from the largest interference on. The times of the cells of a table are up to 90 to 1.
+    #[test]
+    fn remaining_times_of_shipped_tables_are_forecast() {
+        let ratio = |name| forecast_over_truth(&cells(name), 1.0 / 3.0);
+        let ratios: Vec<(&str, f64)> = shipped::names().map(|name| (name, ratio(name))).collect();
+        let within =
+            |factor: f64| ratios.iter().filter(|(_, ratio)| (factor.recip()..factor).contains(ratio)).count();
+        assert_eq!(ratios.len(), 18);
+        assert!(within(3.2) == 18 && within(1.5) >= 12, "{ratios:?}");
     }
 
     #[test]
-    fn right_within_30_percent_after_a_tenth_of_the_work() {
-        for (rows, columns) in [(8, 5), (10, 4), (10, 10), (20, 8), (40, 10)] {
-            let interferences = Log.range(0.1, 100.0, rows);
-            let cases = order(&interferences, columns);
-            // A tenth of the work is four cases for each thread, or there is little to learn from.
-            for workers in [1, 2, 8].into_iter().filter(|workers| 40 * workers <= rows * columns) {
-                for (slope, curvature) in
-                    [(-0.1, 0.0), (0.0, 0.0), (0.1, 0.0), (0.3, 0.0), (0.5, 0.0), (0.3, 0.05), (0.6, 0.1)]
-                {
-                    for rate_slope in [-0.1, 0.0, 0.15] {
-                        for saving in [0.3, 0.5, 0.8] {
-                            let cost = |case: Case| {
-                                let heat = if case.heated { 1.0 } else { saving };
-                                let rate = (rate_slope * case.column as f64).exp();
-                                let x = (case.interference / 100.0).ln();
-                                40.0 * (slope * x + curvature * x * x).exp() * heat * rate * scatter(case)
-                            };
-                            let ratio = forecast_over_truth(&cases, columns, workers, cost);
-                            assert!(
-                                (ratio - 1.0).abs() < 0.3,
-                                "{rows} x {columns}, {workers} workers, {slope} {curvature} {rate_slope} {saving}: {ratio}"
-                            );
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    /// Wall times of a table of 4340 steel, s: 0.1 to 100 ω_c at 0 to 10 m/s on two threads, one cell with ten times the
-    /// time of its neighbours.
-    #[test]
-    fn right_for_a_table_that_was_measured() {
-        let measured = [
-            [23.97, 24.30, 22.99, 40.80, 41.85, 48.50, 19.00],
-            [6.76, 7.80, 6.11, 8.05, 82.44, 13.07, 7.74],
-            [2.56, 2.30, 5.10, 4.24, 4.62, 3.56, 4.50],
-            [0.95, 0.98, 1.81, 1.80, 1.85, 2.26, 2.09],
-            [1.14, 1.98, 2.01, 3.21, 1.96, 2.01, 2.09],
-            [1.75, 5.03, 4.62, 5.95, 5.12, 5.29, 5.09],
-            [3.90, 5.56, 6.88, 5.67, 6.60, 6.83, 7.07],
-            [14.31, 20.84, 20.35, 22.42, 21.09, 17.95, 16.61],
-        ];
-        let interferences = Log.range(0.1, 100.0, 8);
-        let row = |case: Case| interferences.iter().position(|x| *x == case.interference).unwrap();
-        let cases = order(&interferences, 7);
-        for workers in [1, 2] {
-            let ratio = forecast_over_truth(&cases, 7, workers, |case| measured[row(case)][case.column]);
-            assert!((ratio - 1.0).abs() < 0.3, "{workers}: {ratio}");
-        }
-    }
-
-    #[test]
-    fn terms_are_learnt() {
-        let mut model = CostModel::new(100.0, 3);
-        for interference in Log.range(0.1, 100.0, 9) {
-            for column in 0..3 {
-                let case = Case { interference, column, heated: true };
-                model.learn(case, 7.0 * interference.powf(0.4) * (1.0 + column as f64));
-            }
-        }
-        let asked = model.seconds(Case { interference: 3.3, column: 1, heated: true });
-        assert!((asked / (14.0 * 3.3_f64.powf(0.4)) - 1.0).abs() < 0.02, "{asked}");
+    fn run_times_in_proportion_to_those_expected_are_forecast() {
+        let mut forecast = Forecast::new(&[1.0, 4.0, 2.0, 1.0, 3.0], 2);
+        forecast.took(0, 3.0);
+        forecast.took(3, f64::NAN);
+        forecast.started(1, 0.0);
+        forecast.finished(1, 12.0);
+        forecast.started(2, 10.0);
+        // 4 s of the one that runs and 9 s, on two threads.
+        assert!((forecast.remaining(12.0) - 9.0).abs() < 1e-12);
+        forecast.finished(2, 16.0);
+        forecast.took(4, 9.0);
+        assert_eq!(forecast.remaining(16.0), 0.0);
     }
 }

@@ -52,7 +52,17 @@ pub struct Work<'a> {
     pub layout: Layout<'a>,
     /// Row-major, like all data of the cells.
     pub wanted: &'a [bool],
+    /// Expected times, s.
+    pub expected: &'a [f64],
     pub jobs: usize,
+}
+
+impl Work<'_> {
+    /// Places of the cells that are wanted and not known yet.
+    pub fn pending(&self, known: &Known) -> impl Iterator<Item = usize> {
+        let is_known = |k: usize| known.contains_key(&self.layout.point(self.layout.index(k)).key());
+        (0..self.wanted.len()).filter(move |&k| self.wanted[k] && !is_known(k))
+    }
 }
 
 /// Runs every wanted cell that is not known yet, in each of the `pools` one at a time.
@@ -64,25 +74,17 @@ pub fn run<S: Simulator>(
     watch: &dyn TableWatch,
 ) -> Result<(), JournalError> {
     let layout = work.layout;
-    let cases = layout.cases();
-    let mut model = layout.cost_model();
-    let (mut finished, mut done) = (Vec::new(), 0);
-    for (k, case) in cases.iter().enumerate() {
-        match known.get(&layout.point(layout.index(k)).key()) {
-            Some(result) => {
-                if let Ok(result) = result {
-                    model.learn(*case, result.cell.wall_time);
-                }
-                finished.push(k);
-                done += usize::from(work.wanted[k]);
-            }
-            None if !work.wanted[k] => finished.push(k),
-            None => {}
+    let mut forecast = Forecast::new(work.expected, work.jobs);
+    let mut done = 0;
+    for (k, wanted) in work.wanted.iter().enumerate() {
+        let result = known.get(&layout.point(layout.index(k)).key());
+        if result.is_some() || !wanted {
+            let wall_time = result.and_then(|result| Some(result.as_ref().ok()?.cell.wall_time));
+            forecast.took(k, wall_time.unwrap_or(f64::NAN));
         }
+        done += usize::from(*wanted && result.is_some());
     }
-    journal.reserve(cases.len() - finished.len())?;
-    let mut forecast = Forecast::new(model, cases, work.jobs);
-    finished.into_iter().for_each(|k| forecast.finished(k, 0.0));
+    journal.reserve(work.pending(known).count())?;
     // The largest take longest: started last, they would run alone at the end.
     let probes = layout.probes().into_iter().map(|row| (row, true));
     let grid = &Grid {

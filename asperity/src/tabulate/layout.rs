@@ -1,12 +1,10 @@
 //! How the cells of a tabulation lie: interferences by slip rates, for each initial temperature.
 
-use tables::closed_forms::hertz;
 use tables::table::Axes;
 
-use super::cost::{Case, CostModel};
 use super::journal::{Index, Point};
-use crate::heat::expected::{HeatEffect, choose_heat};
 use crate::scene::Scene;
+use crate::simulate::expected_time::expected_time;
 
 /// From this number of interferences on, one cell of the middle, of the smallest and of the largest are run first, so
 /// that the dependence of run times on interference is known from the start.
@@ -53,12 +51,6 @@ impl<'a> Layout<'a> {
         (position / columns, position % columns)
     }
 
-    /// Of run times, before any is known.
-    pub fn cost_model(&self) -> CostModel {
-        let largest = self.axes.interference[self.axes.interference.len() - 1];
-        CostModel::new(largest, self.axes.slip_rate.len())
-    }
-
     /// The rows, that of the largest interference first.
     pub fn order(&self) -> Vec<usize> {
         let mut rows: Vec<usize> = (0..self.rows()).collect();
@@ -84,20 +76,10 @@ impl<'a> Layout<'a> {
         scene
     }
 
-    /// The cells as far as their run times are concerned, row-major.
-    pub fn cases(&self) -> Vec<Case> {
-        let case = |row: usize, column: usize| {
-            let scene = &self.template(row).with_combined_modulus();
-            let critical = scene.material.elastic_plastic().critical_interference(scene.radius);
-            let interference = self.interference(row);
-            let radius = hertz::contact_radius(scene.radius, interference * critical);
-            let slip_rate = self.axes.slip_rate[column];
-            let effect = HeatEffect::expected(scene, slip_rate, radius);
-            let heated = choose_heat(scene, slip_rate, &effect).is_coupled();
-            Case { interference, column, heated }
-        };
-        let rows = 0..self.rows();
-        rows.flat_map(|row| (0..self.axes.slip_rate.len()).map(move |column| case(row, column))).collect()
+    /// Of the cells, row-major, s.
+    pub fn expected_times(&self) -> Vec<f64> {
+        let cells = 0..self.rows() * self.axes.slip_rate.len();
+        cells.map(|position| expected_time(&self.scene(self.index(position)))).collect()
     }
 }
 

@@ -4,7 +4,7 @@
 //!   on the other cells, nor on the number of threads.
 //! - `journal`: every finished cell is written at once; an interrupted tabulation continues from the journal and
 //!   results in the same table.
-//! - `shard`: parts for separate machines. `cost`: expected run times, for shards and for the remaining time.
+//! - `shard`: parts for separate machines. `cost`: forecast of the remaining time.
 //! - `cell`, `tabulation`: results as cells of a [`tables::table::Table`]. Points are added to a grid
 //!   by [`tables::refinement`].
 //!
@@ -36,7 +36,6 @@ pub use tabulation::Tabulation;
 use crate::output::provenance::FINGERPRINT;
 use crate::scene::Scene;
 use crate::scene::file::{Request, write_request};
-use crate::simulate::expected_time::expected_time;
 use crate::simulate::largest_interference;
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{self, Pressed, STACK_SIZE, SimulationError, Watch};
@@ -264,13 +263,12 @@ pub(crate) fn tabulate_with<S: Simulator>(
     };
     loop {
         let layout = Layout { templates: &templates, axes: &axes };
-        let costs = expected_costs(&layout);
-        let wanted = options.shard.map_or(vec![true; costs.len()], |shard| shard.members(&costs));
-        let work = Work { layout, wanted: &wanted, jobs: options.jobs };
-        watch.expects(expected_time_left(&layout, &wanted, &known));
-        let points = (0..costs.len()).map(|cell| layout.point(layout.index(cell)).key());
-        let left = points.zip(&wanted).filter(|(key, wanted)| **wanted && !known.contains_key(key)).count();
-        grid::run(simulator, &work, (&mut known, &mut journal), &pools(options.jobs, left)?, watch)?;
+        let expected = layout.expected_times();
+        let wanted = options.shard.map_or(vec![true; expected.len()], |shard| shard.members(&expected));
+        let work = Work { layout, wanted: &wanted, expected: &expected, jobs: options.jobs };
+        watch.expects(work.pending(&known).map(|position| expected[position]).sum());
+        let pools = pools(options.jobs, work.pending(&known).count())?;
+        grid::run(simulator, &work, (&mut known, &mut journal), &pools, watch)?;
         let columns = axes.slip_rate.len();
         let row = |i: usize| (0..columns).map(|j| known.get(&layout.point((i, j)).key()).cloned()).collect();
         let tabulation = Tabulation {
@@ -322,20 +320,6 @@ fn check_depth(request: &Request) -> Result<(), TabulateError> {
             },
         }),
     }
-}
-
-/// Processor time of the cells that are wanted and not known yet, s.
-fn expected_time_left(layout: &Layout<'_>, wanted: &[bool], known: &Known) -> f64 {
-    let left = (0..wanted.len()).map(|k| layout.index(k)).zip(wanted);
-    left.filter(|(index, wanted)| **wanted && !known.contains_key(&layout.point(*index).key()))
-        .map(|(index, _)| expected_time(&layout.scene(index)))
-        .sum()
-}
-
-/// Of each cell, row-major, before anything is run; only ratios are meaningful.
-fn expected_costs(layout: &Layout<'_>) -> Vec<f64> {
-    let model = layout.cost_model();
-    layout.cases().into_iter().map(|case| model.seconds(case)).collect()
 }
 
 #[cfg(test)]
