@@ -23,9 +23,11 @@ mod return_map;
 mod strain_rate;
 pub(crate) mod tensor;
 
+use tables::functions::interpolate;
+
 use crate::material::elasticity::Moduli;
 use crate::material::lanes::{Lanes, lanes, powers};
-use crate::scene::curve::{Curve, interpolate};
+use crate::scene::curve::Curve;
 use crate::scene::{Hardening, Material, Rate, Softening};
 pub use flow::StrainPath;
 pub use return_map::Trial;

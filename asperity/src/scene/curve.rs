@@ -1,5 +1,7 @@
 //! Piecewise linear curves with their integrals and the inverse of these.
 
+use tables::functions::{interpolate, points_up_to};
+
 /// Piecewise linear function of x, constant beyond its ends. Two equal neighbouring abscissae make
 /// a jump, at which the right-hand value holds.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,24 +67,6 @@ impl Curve {
         }
         (self.values[after] - self.values[after - 1]) / (self.knots[after] - self.knots[after - 1])
     }
-}
-
-/// Number of the first points that do not exceed x. Most nodes of a body are cold, and x among the first points.
-fn points_up_to(points: &[f64], x: f64) -> usize {
-    points.iter().take_while(|&&point| point <= x).count()
-}
-
-/// Value and slope at x of the piecewise linear function through the points, constant beyond them.
-pub fn interpolate(knots: &[f64], values: &[f64], x: f64) -> (f64, f64) {
-    let after = points_up_to(knots, x);
-    if after == 0 {
-        return (values[0], 0.0);
-    }
-    if after == knots.len() {
-        return (values[after - 1], 0.0);
-    }
-    let slope = (values[after] - values[after - 1]) / (knots[after] - knots[after - 1]);
-    (values[after - 1] + slope * (x - knots[after - 1]), slope)
 }
 
 #[cfg(test)]

@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 use tables::closed_forms::ElasticPlastic;
+use tables::functions::interpolate;
 
-use crate::scene::curve::{Curve, interpolate};
+use crate::scene::curve::Curve;
 
 /// Growth of the yield strength with equivalent plastic strain ε_p at the initial temperature.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

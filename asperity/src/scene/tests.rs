@@ -44,7 +44,7 @@ fn strength(scene: &Scene, strain: f64, temperature: f64) -> f64 {
         Hardening::Linear { modulus } => yield_strength + modulus * strain,
         Hardening::JohnsonCook { modulus, exponent } => yield_strength + modulus * strain.powf(*exponent),
         Hardening::Table { plastic_strain, factor } => {
-            yield_strength * curve::interpolate(plastic_strain, factor, strain).0
+            yield_strength * tables::functions::interpolate(plastic_strain, factor, strain).0
         }
     };
     hardened * softening.factor(temperature) / softening.factor(scene.loading.temperature)

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use tables::closed_forms::hertz::contact_modulus;
 use tables::closed_forms::{ElasticPlastic, UnknownClosedForm, closed_form, partial_slip};
+use tables::functions::interpolate;
 use tables::law::AsperityLaw;
 use tables::shipped::{self, TableSourceError};
 
@@ -216,15 +217,8 @@ fn number(scene: &toml::Table, path: &[&str], temperature: f64) -> Option<f64> {
     let column =
         |key: &str| value.get(key)?.as_array()?.iter().map(toml::Value::as_float).collect::<Option<Vec<_>>>();
     let Some((at, values)) = column("temperature").zip(column("value")) else { return value.as_float() };
-    let above = at.partition_point(|at| *at <= temperature);
-    match (above.checked_sub(1), above < at.len()) {
-        (None, _) => values.first().copied(),
-        (Some(below), true) => {
-            let share = (temperature - at[below]) / (at[above] - at[below]);
-            Some(values[below] + share * (values[above] - values[below]))
-        }
-        (Some(_), false) => values.last().copied(),
-    }
+    let is_curve = !at.is_empty() && at.len() == values.len();
+    is_curve.then(|| interpolate(&at, &values, temperature).0)
 }
 
 /// From which on the metal of a scene has no strength.

@@ -1,4 +1,4 @@
-//! Functions of one number: where a condition ends to hold.
+//! Functions of one number: bisection, linear interpolation.
 
 use std::convert::Infallible;
 
@@ -19,6 +19,26 @@ pub fn try_bisect<E>(
         if holds(middle)? { start = middle } else { end = middle }
     }
     Ok([start, end])
+}
+
+/// Number of the first points that do not exceed x, counted, as x is mostly among the first.
+#[inline]
+pub fn points_up_to(points: &[f64], x: f64) -> usize {
+    points.iter().take_while(|&&point| point <= x).count()
+}
+
+/// Value and slope at x of the piecewise linear function through the points, constant beyond them.
+#[inline]
+pub fn interpolate(knots: &[f64], values: &[f64], x: f64) -> (f64, f64) {
+    let after = points_up_to(knots, x);
+    if after == 0 {
+        return (values[0], 0.0);
+    }
+    if after == knots.len() {
+        return (values[after - 1], 0.0);
+    }
+    let slope = (values[after] - values[after - 1]) / (knots[after] - knots[after - 1]);
+    (values[after - 1] + slope * (x - knots[after - 1]), slope)
 }
 
 #[cfg(test)]

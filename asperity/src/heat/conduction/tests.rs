@@ -210,7 +210,7 @@ fn kinks_of_tabulated_softening_are_solved() {
     for flux in [0.05, 0.3, 1.0, 10.0, 1e4] {
         let mesh = small_mesh();
         let mut heat = Softening::new(&mesh, 1.0, flux);
-        heat.strength = Box::new(move |rise| crate::scene::curve::interpolate(&knots, &factors, rise).0);
+        heat.strength = Box::new(move |rise| tables::functions::interpolate(&knots, &factors, rise).0);
         let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap();
         let off = march(&mut conduction, &heat, 1e-7, 24);
         assert!(off < 1e-10 * flux.max(1.0), "flux {flux}: {off:e}");

@@ -2,10 +2,10 @@
 //! average, by an amount that depends on the interference. Reported values contain it (JCGM 100:2008, 3.2.4); what remains
 //! has either sign and is in the error estimates.
 
+use tables::functions::interpolate;
 use tables::quantity::Quantity;
 
 use crate::loading::inception::InceptionCriterion;
-use crate::scene::curve::interpolate;
 use crate::scene::fitted_constants::error_estimates::{AtEach, ELEMENTS, INTERFERENCES, ORDER};
 use crate::scene::fitted_constants::mean_errors::{ENERGY, INCEPTION_SLIP, MeanError, SECTORS};
 use crate::simulate::accuracy::resolution::Resolution;

@@ -1,9 +1,9 @@
 //! Modelling error: effects that the model of a run neglects or no mesh resolves, and bounds of their influence on its results.
 
+use tables::functions::interpolate;
 use tables::quantity::Quantity;
 
 use crate::heat::expected::HeatEffect;
-use crate::scene::curve::interpolate;
 use crate::scene::fitted_constants::{localised_shear, smooth_flux};
 
 /// Change of load and area over that of β², 0.20 to 0.22 and 0.29 to 0.34 between full stick at any two of ν = 0 to 0.45, or no

@@ -2,9 +2,9 @@
 //! between two angles, wherever the mesh puts these. It depends on the interference: in light contacts the edge moves
 //! during the slide, in deep ones the body shears beside it.
 
+use tables::functions::interpolate;
 use tables::quantity::Quantity;
 
-use crate::scene::curve::interpolate;
 use crate::scene::fitted_constants::error_estimates::{
     AREA_OF_PRESS, ELEMENTS, ENERGY, ENERGY_OF_WEAKENING, FRICTION, HIGHEST_RISE, INCEPTION_SLIP,
     INTERFERENCES, LOAD, LOAD_OF_PRESS, MEAN_RISE,
