@@ -11,7 +11,9 @@ pub struct Runs(Vec<Range<usize>>);
 impl Runs {
     /// All entries of a vector.
     pub fn all(vector: &[f64]) -> Self {
-        Self(vec![0..vector.len()])
+        let mut runs = Self::default();
+        runs.push(0..vector.len());
+        runs
     }
 
     /// The blocks of `size` entries at rising places.

@@ -36,8 +36,6 @@ struct Ledger<'a> {
     journal: &'a mut Journal,
     forecast: Forecast,
     done: usize,
-    /// Being run by probes.
-    taken: Vec<Index>,
     error: Option<JournalError>,
 }
 
@@ -85,15 +83,14 @@ pub fn run<S: Simulator>(
         done += usize::from(*wanted && result.is_some());
     }
     journal.reserve(work.pending(known).count())?;
-    // The largest take longest: started last, they would run alone at the end.
-    let probes = layout.probes().into_iter().map(|row| (row, true));
     let grid = &Grid {
         simulator,
         work,
-        queue: Queue::new(probes.chain(layout.order().into_iter().map(|row| (row, false)))),
+        // The largest take longest: started last, they would run alone at the end.
+        queue: Queue::new(layout.order()),
         watch,
         clock: Instant::now(),
-        ledger: Mutex::new(Ledger { known, journal, forecast, done, taken: Vec::new(), error: None }),
+        ledger: Mutex::new(Ledger { known, journal, forecast, done, error: None }),
         stopped: AtomicBool::new(false),
     };
     std::thread::scope(|scope| {
@@ -108,15 +105,15 @@ impl<'a, S: Simulator> Grid<'a, S> {
     fn run_tasks(&self) {
         while let Some(task) = self.queue.next(|| self.cancelled()) {
             match task {
-                Task::Press { row, probe } => self.press_row(row, probe),
+                Task::Press { row } => self.press_row(row),
                 Task::Slide { pressed, index } => self.run_cell(&pressed, index),
             }
         }
     }
 
-    /// Presses once for those slip rates that are wanted and not done, or for one in their middle.
-    fn press_row(&self, i: usize, probe: bool) {
-        let pending = self.take(i, probe);
+    /// Presses once for those slip rates that are wanted and not done.
+    fn press_row(&self, i: usize) {
+        let pending = self.pending(i);
         let pressed = if pending.is_empty() { Err(None) } else { self.press(i) };
         let slides = match pressed {
             Ok(pressed) => {
@@ -133,21 +130,14 @@ impl<'a, S: Simulator> Grid<'a, S> {
         self.queue.pressed(slides);
     }
 
-    /// The cells of an interference that are neither done nor taken, or as a `probe` one in their middle, taken at once: another
-    /// thread may begin the same interference.
-    fn take(&self, i: usize, probe: bool) -> Vec<usize> {
-        let mut ledger = self.lock();
+    /// Slip rates at which the cells of an interference are wanted and not done.
+    fn pending(&self, i: usize) -> Vec<usize> {
+        let ledger = self.lock();
         let is_pending = |j: &usize| {
             self.work.wanted[self.work.layout.position((i, *j))]
-                && !ledger.taken.contains(&(i, *j))
                 && !ledger.known.contains_key(&self.work.layout.point((i, *j)).key())
         };
-        let mut pending: Vec<usize> = (0..self.work.layout.axes.slip_rate.len()).filter(is_pending).collect();
-        if probe {
-            pending = pending.get(pending.len() / 2).copied().into_iter().collect();
-        }
-        ledger.taken.extend(pending.iter().map(|&j| (i, j)));
-        pending
+        (0..self.work.layout.axes.slip_rate.len()).filter(is_pending).collect()
     }
 
     fn press(&self, i: usize) -> Result<S::Pressed, Option<String>> {

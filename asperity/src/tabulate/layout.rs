@@ -6,10 +6,6 @@ use super::journal::{Index, Point};
 use crate::scene::Scene;
 use crate::simulate::expected_time::expected_time;
 
-/// From this number of interferences on, one cell of the middle, of the smallest and of the largest are run first, so
-/// that the dependence of run times on interference is known from the start.
-const ROWS_WORTH_A_PROBE: usize = 4;
-
 /// The rows of cells are the interferences at the first temperature, then those at the next.
 #[derive(Clone, Copy)]
 pub struct Layout<'a> {
@@ -58,16 +54,6 @@ impl<'a> Layout<'a> {
         rows
     }
 
-    /// Rows of which one cell is run first, at the temperature in the middle.
-    pub fn probes(&self) -> Vec<usize> {
-        let count = self.axes.interference.len();
-        let first = self.templates.len() / 2 * count;
-        match count >= ROWS_WORTH_A_PROBE {
-            true => probes(count).map(|row| first + row).to_vec(),
-            false => Vec::new(),
-        }
-    }
-
     /// The scene of a cell.
     pub fn scene(&self, (i, j): Index) -> Scene {
         let mut scene = self.template(i).clone();
@@ -81,9 +67,4 @@ impl<'a> Layout<'a> {
         let cells = 0..self.rows() * self.axes.slip_rate.len();
         cells.map(|position| expected_time(&self.scene(self.index(position)))).collect()
     }
-}
-
-/// Rows of which one cell is run first, of a number of rows.
-pub fn probes(rows: usize) -> [usize; 3] {
-    [rows / 2, 0, rows - 1]
 }

@@ -7,10 +7,9 @@ use super::journal::Index;
 
 /// What one thread does at a time.
 pub enum Task<P> {
-    /// Press to the interference of a row; as a probe for one of its cells alone.
+    /// Press to the interference of a row.
     Press {
         row: usize,
-        probe: bool,
     },
     Slide {
         pressed: Arc<P>,
@@ -25,17 +24,17 @@ pub struct Queue<P> {
 }
 
 struct Waiting<P> {
-    presses: VecDeque<(usize, bool)>,
+    presses: VecDeque<usize>,
     slides: VecDeque<(Arc<P>, Index)>,
     /// Presses that are being computed, of which slides will follow.
     pressing: usize,
 }
 
 impl<P> Queue<P> {
-    /// Of rows, each with whether it is a probe.
-    pub fn new(presses: impl IntoIterator<Item = (usize, bool)>) -> Self {
-        let (presses, slides) = (presses.into_iter().collect(), VecDeque::new());
-        Self { waiting: Mutex::new(Waiting { presses, slides, pressing: 0 }), changed: Condvar::new() }
+    /// Of these rows.
+    pub fn new(rows: Vec<usize>) -> Self {
+        let waiting = Waiting { presses: rows.into(), slides: VecDeque::new(), pressing: 0 };
+        Self { waiting: Mutex::new(waiting), changed: Condvar::new() }
     }
 
     /// The next task, once there is one; none when all are taken or the work is `cancelled`. A press must be followed by
@@ -46,9 +45,9 @@ impl<P> Queue<P> {
             if let Some((pressed, index)) = waiting.slides.pop_front() {
                 return Some(Task::Slide { pressed, index });
             }
-            if let Some((row, probe)) = waiting.presses.pop_front() {
+            if let Some(row) = waiting.presses.pop_front() {
                 waiting.pressing += 1;
-                return Some(Task::Press { row, probe });
+                return Some(Task::Press { row });
             }
             if waiting.pressing == 0 {
                 return None;
@@ -77,7 +76,7 @@ mod tests {
 
     fn label(task: Option<Task<u8>>) -> String {
         match task {
-            Some(Task::Press { row, probe }) => format!("press {row} {probe}"),
+            Some(Task::Press { row }) => format!("press {row}"),
             Some(Task::Slide { pressed, index: (i, j) }) => format!("slide {i} {j} of {pressed}"),
             None => "end".into(),
         }
@@ -85,18 +84,18 @@ mod tests {
 
     #[test]
     fn slides_come_before_presses_and_are_waited_for() {
-        let queue = Queue::new([(3, true), (5, false)]);
+        let queue = Queue::new(vec![3, 5]);
         let next = || label(queue.next(|| false));
-        assert_eq!(next(), "press 3 true");
+        assert_eq!(next(), "press 3");
         let pressed = Arc::new(7);
         queue.pressed([(pressed.clone(), (3, 0)), (pressed, (3, 1))]);
-        assert_eq!([next(), next(), next()], ["slide 3 0 of 7", "slide 3 1 of 7", "press 5 false"]);
+        assert_eq!([next(), next(), next()], ["slide 3 0 of 7", "slide 3 1 of 7", "press 5"]);
         std::thread::scope(|scope| {
             let waits = scope.spawn(next);
             queue.pressed([(Arc::new(8), (5, 0))]);
             assert_eq!(waits.join().unwrap(), "slide 5 0 of 8");
         });
         assert_eq!(next(), "end");
-        assert_eq!(label(Queue::new([(0, false)]).next(|| true)), "end");
+        assert_eq!(label(Queue::new(vec![0]).next(|| true)), "end");
     }
 }

@@ -264,7 +264,7 @@ impl Mechanics {
         let size = self.internal.len();
         let [mut force, mut direction] = [0, 1].map(|_| vec![0.0; u.len()]);
         let before = self.contact.elevation();
-        self.contact.raise(&elevation);
+        self.contact.raise(elevation);
         // That of the contact in which the springs are raised.
         if self.update_preconditioner(control).is_err() {
             return;
