@@ -43,11 +43,15 @@ pub fn check_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Res
 }
 
 /// Whether no output of a command that makes other files is a table, which took hours to compute and whose name is easily given
-/// again, nor what [`check_of_others`] refuses.
+/// again, nor a TOML file that was written by hand, nor what [`check_of_others`] refuses.
 pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     for (_, output) in outputs {
         if DatasetReader::open(output).is_ok_and(|file| text(&file, "schema") == SCHEMA) {
             let why = "is a table, which only `asperity tabulate` and `asperity merge` replace; choose another name, or delete it";
+            return refused(output, why);
+        }
+        if is_of_others(output, &["toml"]) {
+            let why = "was not written by `roughsurface characterize`; choose another name, or delete it";
             return refused(output, why);
         }
     }
@@ -55,34 +59,31 @@ pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError>
 }
 
 /// Whether no output is data of another program, which cannot be computed again: a netCDF file, one that begins as those of
-/// `BINARY_DATA`, or a text with the extension of measured heights that does not begin as those of this project; nor a TOML file
-/// that was written by hand.
+/// `BINARY_DATA`, or a text with the extension of measured heights that does not begin as those of this project.
 pub fn check_of_others(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     for (_, output) in outputs {
         let start = beginning(output);
-        let mut of_others = BINARY_DATA.iter().any(|magic| start.starts_with(magic));
-        if let Ok(file) = DatasetReader::open(output) {
-            of_others = !PROGRAMS.iter().any(|program| text(&file, "source").starts_with(program));
-        }
-        let is = |extensions: &[&str]| {
-            let extension = output.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-            extensions.iter().any(|of_data| extension.eq_ignore_ascii_case(of_data))
+        let is_binary = BINARY_DATA.iter().any(|magic| start.starts_with(magic));
+        let of_others = match DatasetReader::open(output) {
+            Ok(file) => !PROGRAMS.iter().any(|program| text(&file, "source").starts_with(program)),
+            Err(_) => is_binary,
         };
-        let of_this_project = TEXTS.iter().any(|text| start.starts_with(text.as_bytes()));
-        if !start.is_empty() && !of_this_project && is(&["toml"]) {
-            return refused(
-                output,
-                "was not written by `roughsurface characterize`; choose another name, or delete it",
-            );
-        }
-        of_others |= !start.is_empty() && !of_this_project && is(&MEASURED);
-        if of_others {
+        if of_others || is_of_others(output, &MEASURED) {
             let why =
                 "holds data of another program, as of a measured surface; choose another name, or delete it";
             return refused(output, why);
         }
     }
     Ok(())
+}
+
+/// Whether a file has one of these extensions, and does not begin as the texts of this project.
+fn is_of_others(output: &Path, extensions: &[&str]) -> bool {
+    let extension = output.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    let start = beginning(output);
+    extensions.iter().any(|of_data| extension.eq_ignore_ascii_case(of_data))
+        && !start.is_empty()
+        && !TEXTS.iter().any(|text| start.starts_with(text.as_bytes()))
 }
 
 /// First words of the attribute `source` of the files of this project.
