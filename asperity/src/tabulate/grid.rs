@@ -12,7 +12,7 @@ use std::time::Instant;
 use rayon::ThreadPool;
 
 use super::cell::Finished;
-use super::cost::Forecast;
+use super::forecast::Forecast;
 use super::journal::{CellResult, Index, Journal, JournalError, Known};
 use super::layout::Layout;
 use super::queue::{Queue, Task};

@@ -4,16 +4,17 @@
 //!   on the other cells, nor on the number of threads.
 //! - `journal`: every finished cell is written at once; an interrupted tabulation continues from the journal and
 //!   results in the same table.
-//! - `shard`: parts for separate machines. `cost`: forecast of the remaining time.
+//! - `queue`: what each thread does next. `forecast`: the remaining time.
+//! - `shard`: parts for separate machines.
 //! - `cell`, `tabulation`: results as cells of a [`tables::table::Table`]. Points are added to a grid
 //!   by [`tables::refinement`].
 //!
 //! Depends on `crate::output` (provenance) and the rooms below it. Chapter "Tables" of the book.
 
 mod cell;
-mod cost;
 #[cfg(test)]
 mod fake;
+mod forecast;
 mod grid;
 mod journal;
 mod layout;
