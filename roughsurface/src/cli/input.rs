@@ -61,7 +61,7 @@ struct QueryOptions {
     /// Elastic interaction of the summits, none by default; mean-pressure displaces the mean plane
     #[arg(long, value_name = "KIND", value_parser = ["none", "mean-pressure"])]
     interaction: Option<String>,
-    /// Side of the square nominal area, m; --interaction mean-pressure needs it, and the warning of nominal heating has its length
+    /// Side of the square nominal area, m; needed by --interaction mean-pressure; the warning of nominal heating is for this length
     #[arg(long, value_name = "M", allow_negative_numbers = true)]
     nominal_size: Option<f64>,
     /// Any key: section.key=value, such as surface.heights.std=1e-7; may be repeated

@@ -193,7 +193,8 @@ fn points_and_their_fit_share_a_colour() {
 fn what_cannot_be_drawn_is_left_out() {
     let mut figure = figure();
     figure.panels[0].curves = vec![
-        Curve::new("zero", vec![0.0, 1.0, 2.0], vec![1.0, f64::NAN, 3.0]),
+        // Letters that the font does not have.
+        Curve::new("摩擦", vec![0.0, 1.0, 2.0], vec![1.0, f64::NAN, 3.0]),
         Curve::new("nothing", vec![0.0], vec![1.0]),
     ];
     let points = figure.panels[0].visible(&figure.panels[0].curves[0]);
