@@ -1,6 +1,5 @@
 //! A stand-in for the simulation in tests of the tabulation, able to fail on demand.
 
-use std::cell::Cell;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -9,18 +8,14 @@ use crate::scene::Scene;
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, fake};
 
-thread_local! {
-    static RUNNING: Cell<usize> = const { Cell::new(0) };
-}
-
 /// Counts its presses and fails at the given cells.
 #[derive(Default)]
 pub struct Fake {
     /// Interferences in the order in which they were pressed.
     pub presses: Mutex<Vec<f64>>,
     pub slides: AtomicUsize,
-    /// Most slides that a thread had begun and not ended.
-    pub begun: AtomicUsize,
+    /// Most threads that a slide was divided among.
+    pub threads: AtomicUsize,
     /// Press fails at this interference.
     pub press_fails: Option<f64>,
     /// Slide fails at this slip rate.
@@ -46,11 +41,7 @@ impl Simulator for Fake {
 
     fn slide(&self, pressed: &Scene, slip_rate: f64, _watch: &dyn Watch) -> Result<Outcome, SimulationError> {
         self.slides.fetch_add(1, Ordering::Relaxed);
-        RUNNING.set(RUNNING.get() + 1);
-        self.begun.fetch_max(RUNNING.get(), Ordering::Relaxed);
-        // Parts that other threads of the pool may take.
-        rayon::join(rest, rest);
-        RUNNING.set(RUNNING.get() - 1);
+        self.threads.fetch_max(rayon::current_num_threads(), Ordering::Relaxed);
         if self.slide_panics == Some(slip_rate) {
             panic!("this slide panics");
         }
@@ -66,8 +57,4 @@ impl Simulator for Fake {
         }
         Ok(fake::outcome(&scene))
     }
-}
-
-fn rest() {
-    std::thread::sleep(std::time::Duration::from_millis(1));
 }

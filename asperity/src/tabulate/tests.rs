@@ -112,10 +112,11 @@ fn threads_interruptions_and_shards_change_nothing() {
     for (text, cells, failed) in [(FIVE_ROWS, 15, 5), (TEMPERATURES, 24, 12)] {
         let one = whole(text, &fake(), 1);
         assert_eq!((cells_run(&one), one.failures().count()), (cells, failed));
-        for jobs in [2, 5] {
+        // More threads than cells are divided among these.
+        for (jobs, threads) in [(2, 1), (5, 1), (cells + 1, 2), (3 * cells, 3)] {
             let fake = fake();
             assert_eq!(one, whole(text, &fake, jobs));
-            assert_eq!(fake.begun.load(Ordering::Relaxed), 1);
+            assert_eq!(fake.threads.load(Ordering::Relaxed), threads);
         }
         let undivided = table(&one);
 
