@@ -7,13 +7,31 @@ use crate::scene::{TemperatureDependence, TemperatureTable};
 /// Properties over the temperature rise, relative to those at the initial temperature; positive.
 #[derive(Clone, Debug)]
 pub struct ThermalProperties {
-    /// c/c₀.
-    pub specific_heat: Curve,
-    /// k/k₀.
-    pub conductivity: Curve,
+    /// c/c₀, on the knots of k/k₀.
+    specific_heat: Curve,
+    /// k/k₀, on the knots of c/c₀.
+    conductivity: Curve,
+}
+
+/// State at a Kirchhoff potential Θ = ∫k/k₀ dθ.
+pub struct ThermalState {
+    /// θ, K.
+    pub rise: f64,
+    /// H, in kelvin at c₀.
+    pub enthalpy: f64,
+    /// dH/dΘ = (c/c₀)/(k/k₀), the reciprocal of the diffusivity κ/κ₀.
+    pub capacity: f64,
 }
 
 impl ThermalProperties {
+    /// Of c/c₀ and k/k₀.
+    pub fn new(specific_heat: &Curve, conductivity: &Curve) -> Self {
+        Self {
+            specific_heat: specific_heat.with_knots_of(conductivity),
+            conductivity: conductivity.with_knots_of(specific_heat),
+        }
+    }
+
     /// Those at the initial temperature throughout.
     pub fn constant() -> Self {
         Self { specific_heat: Curve::constant(1.0), conductivity: Curve::constant(1.0) }
@@ -26,15 +44,30 @@ impl ThermalProperties {
             Some(table) => table.relative(initial_temperature),
             None => Curve::constant(1.0),
         };
-        (specific_heat.is_some() || thermal_conductivity.is_some()).then(|| Self {
-            specific_heat: relative(specific_heat),
-            conductivity: relative(thermal_conductivity),
-        })
+        (specific_heat.is_some() || thermal_conductivity.is_some())
+            .then(|| Self::new(&relative(specific_heat), &relative(thermal_conductivity)))
     }
 
-    /// Diffusivity κ/κ₀ at a potential Θ = ∫k/k₀ dθ.
+    /// c/c₀.
+    pub fn specific_heat(&self) -> &Curve {
+        &self.specific_heat
+    }
+
+    /// k/k₀.
+    pub fn conductivity(&self) -> &Curve {
+        &self.conductivity
+    }
+
+    /// Diffusivity κ/κ₀ at a potential.
     pub fn diffusivity(&self, potential: f64) -> f64 {
-        let rise = self.conductivity.inverse_integral(potential);
-        self.conductivity.value(rise) / self.specific_heat.value(rise)
+        1.0 / self.state(potential).capacity
+    }
+
+    pub fn state(&self, potential: f64) -> ThermalState {
+        let place = self.conductivity.place_of_integral(potential);
+        let (conductivity, _) = self.conductivity.at(&place);
+        let (specific_heat, enthalpy) = self.specific_heat.at(&place);
+        let rise = self.conductivity.abscissa(&place);
+        ThermalState { rise, enthalpy, capacity: specific_heat / conductivity }
     }
 }

@@ -64,7 +64,7 @@ impl BodySnapshot {
             stress: part(0, NODAL - 1, units.stress),
             plastic_strain: part(NODAL - 1, NODAL, 1.0),
             temperature: match conduction {
-                Some(c) => c.committed[..c.body_length()].iter().map(temperature).collect(),
+                Some(c) => c.committed.rise[..c.body_length()].iter().map(temperature).collect(),
                 None => vec![units.temperature; means.len() / NODAL],
             },
         }

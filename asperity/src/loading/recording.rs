@@ -38,7 +38,7 @@ impl Snapshot {
         // The state is stored ring by ring.
         let places = || (0..columns).flat_map(|j| (0..rings).map(move |k| k * columns + j));
         let shear = |at: usize| state[at].traction[0].hypot(state[at].traction[1]);
-        let rise = |at: usize| conduction.map_or(0.0, |c| c.committed[contact.scalar_place(at)]);
+        let rise = |at: usize| conduction.map_or(0.0, |c| c.committed.rise[contact.scalar_place(at)]);
         Self {
             slip: now.slip * units.length,
             time: now.time * units.time,

@@ -10,6 +10,8 @@ pub struct Curve {
     values: Vec<f64>,
     /// ∫₀ of the curve, at the knots.
     integrals: Vec<f64>,
+    /// Slope before each knot and beyond the last one; 0 beyond the ends.
+    slopes: Vec<f64>,
 }
 
 impl Curve {
@@ -30,42 +32,86 @@ impl Curve {
         }
         let origin = integrals[knots.partition_point(|&knot| knot < 0.0)];
         integrals.iter_mut().for_each(|integral| *integral -= origin);
-        Self { knots, values, integrals }
+        let inner = (1..knots.len()).map(|i| (values[i] - values[i - 1]) / (knots[i] - knots[i - 1]));
+        let slopes = std::iter::once(0.0).chain(inner).chain([0.0]).collect();
+        Self { knots, values, integrals, slopes }
     }
 
     pub fn constant(value: f64) -> Self {
         Self::new(vec![0.0], vec![value])
     }
 
-    pub fn value(&self, x: f64) -> f64 {
-        interpolate(&self.knots, &self.values, x).0
+    /// The same with knots wherever `other` has them: both then have one place for the same x.
+    pub fn with_knots_of(&self, other: &Self) -> Self {
+        let (mut knots, mut values) = (self.knots.clone(), self.values.clone());
+        for (i, &x) in other.knots.iter().enumerate() {
+            let equal_before = i - other.knots.partition_point(|&knot| knot < x);
+            let [first, after] = [knots.partition_point(|&knot| knot < x), points_up_to(&knots, x)];
+            if after - first <= equal_before {
+                knots.insert(after, x);
+                values.insert(after, self.value(x));
+            }
+        }
+        Self::new(knots, values)
     }
 
-    /// ∫₀ˣ, reckoned from the end of the segment that is nearer to 0.
+    pub fn value(&self, x: f64) -> f64 {
+        self.at(&self.place(x)).0
+    }
+
+    /// ∫₀ˣ.
     pub fn integral(&self, x: f64) -> f64 {
-        let after = points_up_to(&self.knots, x);
-        let at = if x < 0.0 { after } else { after.saturating_sub(1) };
-        let d = x - self.knots[at];
-        self.integrals[at] + d * (self.values[at] + 0.5 * self.slope(after) * d)
+        self.at(&self.place(x)).1
     }
 
     /// The x at which ∫₀ˣ is `integral`; the curve must be positive.
     pub fn inverse_integral(&self, integral: f64) -> f64 {
-        let after = points_up_to(&self.integrals, integral);
-        let at = if integral < 0.0 { after } else { after.saturating_sub(1) };
-        let (value, excess) = (self.values[at], integral - self.integrals[at]);
-        let slope = self.slope(after);
-        // The root of ½·slope·d² + value·d = excess in the form without cancellation.
-        let discriminant = (value * value + 2.0 * slope * excess).max(0.0);
-        self.knots[at] + 2.0 * excess / (value + discriminant.sqrt())
+        self.abscissa(&self.place_of_integral(integral))
     }
 
-    /// Between the knot `after` and the one before; 0 beyond the ends.
-    fn slope(&self, after: usize) -> f64 {
-        if after == 0 || after == self.knots.len() {
-            return 0.0;
-        }
-        (self.values[after] - self.values[after - 1]) / (self.knots[after] - self.knots[after - 1])
+    fn place(&self, x: f64) -> Place {
+        let place = Place::new(points_up_to(&self.knots, x), x < 0.0);
+        Place { distance: x - self.knots[place.knot], ..place }
+    }
+
+    /// Place at which ∫₀ˣ is `integral`; the curve must be positive.
+    #[inline]
+    pub fn place_of_integral(&self, integral: f64) -> Place {
+        let place = Place::new(points_up_to(&self.integrals, integral), integral < 0.0);
+        let (value, excess) = (self.values[place.knot], integral - self.integrals[place.knot]);
+        // The root of ½·slope·d² + value·d = excess in the form without cancellation.
+        let discriminant = (value * value + 2.0 * self.slopes[place.after] * excess).max(0.0);
+        Place { distance: 2.0 * excess / (value + discriminant.sqrt()), ..place }
+    }
+
+    #[inline]
+    pub fn abscissa(&self, place: &Place) -> f64 {
+        self.knots[place.knot] + place.distance
+    }
+
+    /// Value and ∫₀ˣ.
+    #[inline]
+    pub fn at(&self, place: &Place) -> (f64, f64) {
+        let (knot, d, slope) = (place.knot, place.distance, self.slopes[place.after]);
+        let value = self.values[knot];
+        (value + slope * d, self.integrals[knot] + d * (value + 0.5 * slope * d))
+    }
+}
+
+/// Place of an abscissa on a curve.
+pub struct Place {
+    /// Number of knots up to it.
+    after: usize,
+    /// End of its segment that is nearer to 0.
+    knot: usize,
+    /// From there.
+    distance: f64,
+}
+
+impl Place {
+    fn new(after: usize, is_negative: bool) -> Self {
+        let knot = if is_negative { after } else { after.saturating_sub(1) };
+        Self { after, knot, distance: 0.0 }
     }
 }
 
@@ -97,6 +143,25 @@ mod tests {
                 let area = curve.integral(x);
                 assert!((area / (x * curve.value(0.0)) - 1.0).abs() < 1e-9, "{x}");
                 assert!((curve.inverse_integral(area) / x - 1.0).abs() < 1e-14, "{x}");
+            }
+        }
+    }
+
+    /// Knots of another curve change no value: where both have a jump, where one has it and where neither has.
+    #[test]
+    fn knots_of_another_curve_change_no_value() {
+        let (one, other) =
+            (curve(), Curve::new(vec![-3.0, 1.0, 1.0, 2.0, 2.0, 4.0], vec![2.0, 1.0, 5.0, 3.0, 1.0, 7.0]));
+        let pair = [one.with_knots_of(&other), other.with_knots_of(&one)];
+        assert_eq!(pair[0].knots, [-3.0, -1.0, 0.0, 1.0, 1.0, 2.0, 2.0, 4.0, 5.0]);
+        assert_eq!(pair[0].knots, pair[1].knots);
+        for i in -400..700 {
+            let x = 0.01 * i as f64;
+            let integral = one.integral(x);
+            let place = pair[0].place_of_integral(integral);
+            for (pair, alone) in pair.iter().zip([&one, &other]) {
+                assert!((pair.value(x) - alone.value(x)).abs() < 1e-13, "{x}");
+                assert!((pair.at(&place).1 - alone.integral(x)).abs() < 1e-12, "{x}");
             }
         }
     }

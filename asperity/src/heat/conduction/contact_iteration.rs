@@ -7,7 +7,7 @@
 use faer::linalg::solvers::Llt;
 
 use super::HeatError;
-use super::step::{Stage, StageSolver, Step, solve_contact};
+use super::step::{HeatState, StageSolver, Step, solve_contact};
 use crate::discretisation::collocation::Parity;
 
 const ITERATIONS: usize = 40;
@@ -28,24 +28,20 @@ struct Chord {
 pub(super) struct ContactIteration(Option<Chord>);
 
 impl StageSolver for ContactIteration {
-    fn enthalpy(&self, rise: f64) -> f64 {
-        rise
-    }
-
     fn solve(
         &mut self,
         step: &Step<'_>,
         rhs: &[f64],
-        guess: &[f64],
+        guess: &HeatState,
         _reduction: f64,
-    ) -> Result<Stage, HeatError> {
+    ) -> Result<HeatState, HeatError> {
         let factors = &step.matrix.factors;
         let mut modal = vec![0.0; factors.modal_length()];
         factors.to_modal(rhs, &mut modal);
         factors.forward(&mut modal);
         let contact = &mut modal[factors.contact_offset()..];
         let free = contact.to_vec();
-        let mut rise: Vec<f64> = step.conduction.contact_places.iter().map(|&p| guess[p]).collect();
+        let mut rise: Vec<f64> = step.conduction.contact_places.iter().map(|&p| guess.rise[p]).collect();
         let mut residual = f64::INFINITY;
         for _ in 0..ITERATIONS {
             contact.copy_from_slice(&free);
@@ -64,7 +60,7 @@ impl StageSolver for ContactIteration {
         factors.backward(&mut modal);
         let mut solution = vec![0.0; rhs.len()];
         factors.to_nodal(&modal, &mut solution);
-        Ok(Stage { potential: solution.clone(), rise: solution })
+        Ok(HeatState::linear(solution))
     }
 }
 

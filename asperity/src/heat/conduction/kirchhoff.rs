@@ -6,7 +6,7 @@
 
 use faer::linalg::solvers::Llt;
 
-use super::step::{Stage, StageSolver, Step, solve_contact};
+use super::step::{HeatState, StageSolver, Step, solve_contact};
 use super::{HeatError, element_matrix};
 use crate::discretisation::collocation::Parity;
 use crate::discretisation::element::{CORNERS, RevolvedMesh};
@@ -37,36 +37,36 @@ impl Kirchhoff {
             .collect();
         Self { properties, elements }
     }
-
-    /// H at a rise, in kelvin at c₀.
-    pub(super) fn enthalpy(&self, rise: f64) -> f64 {
-        self.properties.specific_heat.integral(rise)
-    }
 }
 
 impl StageSolver for &Kirchhoff {
-    fn enthalpy(&self, rise: f64) -> f64 {
-        Kirchhoff::enthalpy(self, rise)
-    }
-
     fn solve(
         &mut self,
         step: &Step<'_>,
         rhs: &[f64],
-        guess: &[f64],
+        guess: &HeatState,
         reduction: f64,
-    ) -> Result<Stage, HeatError> {
-        let potential = guess.iter().map(|&rise| self.properties.conductivity.integral(rise)).collect();
-        StageProblem { step, kirchhoff: self, rhs }.solve(potential, reduction)
+    ) -> Result<HeatState, HeatError> {
+        StageProblem { step, kirchhoff: self, rhs }.solve(guess.potential.clone(), reduction)
     }
 }
 
 /// Iterate of a stage.
 struct Iterate {
-    stage: Stage,
+    state: HeatState,
     /// γΔt K Θ.
     conducted: Vec<f64>,
     residual: Vec<f64>,
+    /// M dH/dΘ.
+    capacities: Vec<f64>,
+    /// dq/dΘ of the contact points, not positive.
+    contact_slopes: Vec<f64>,
+}
+
+/// Change of the potential, and of γΔt K Θ.
+struct Direction {
+    potential: Vec<f64>,
+    conducted: Vec<f64>,
 }
 
 /// A stage: M H(Θ) + γΔt K Θ = rhs + γΔt q(θ).
@@ -78,87 +78,70 @@ struct StageProblem<'a> {
 
 impl StageProblem<'_> {
     /// Ends where the residual has its tolerance, or `reduction` times its first value.
-    fn solve(&self, potential: Vec<f64>, reduction: f64) -> Result<Stage, HeatError> {
-        let n = potential.len();
-        let mut now = self.iterate(potential);
-        let mut direction = vec![0.0; n];
+    fn solve(&self, potential: Vec<f64>, reduction: f64) -> Result<HeatState, HeatError> {
+        let mut preconditioned = vec![0.0; potential.len()];
+        let conducted = self.conduct(&potential);
+        let mut now = self.iterate(potential, conducted);
         let (mut first, mut last) = (None, f64::INFINITY);
         for _ in 0..NEWTON_LIMIT {
-            let slopes = self.slopes(&now.stage);
-            let factor = self.factor(&now.stage)?;
-            self.precondition(&factor, &now.residual, &mut direction);
-            let squared = dot(&now.residual, &direction);
+            // The contact's share of the preconditioner: heat exchange linearised.
+            let factor = self.step.contact_factor(|point| now.contact_slopes[point])?;
+            self.precondition(&factor, &now.residual, &mut preconditioned);
+            let squared = dot(&now.residual, &preconditioned);
             // Before `max`, which takes a number for NaN.
             if !squared.is_finite() {
                 break;
             }
             let norm = squared.max(0.0).sqrt();
             let first = *first.get_or_insert(norm);
-            let reference = self.energy_norm(&now, &slopes).max(first);
+            let reference = self.energy_norm(&now).max(first);
             let tolerance = (TOLERANCE * reference).max(reduction * first);
             if norm <= tolerance || (norm <= ROUNDING * reference && norm > 0.5 * last) {
-                return Ok(now.stage);
+                return Ok(now.state);
             }
             last = norm;
             // Forcing term: no more accuracy than the next Newton step can use.
             let forcing = (0.1 * tolerance / norm).max((norm / reference).clamp(1e-6, 1e-2));
-            self.conjugate_gradients(&factor, (&now.residual, &slopes), &mut direction, forcing);
+            let direction = self.conjugate_gradients(&factor, &now, &preconditioned, forcing);
             now = self.line_search(&now, &direction);
         }
         Err(HeatError::NotConverged { residual: last / first.unwrap_or(1.0) })
     }
 
-    /// Rises and residual of a potential.
-    fn iterate(&self, potential: Vec<f64>) -> Iterate {
-        let (conduction, properties, scale) =
-            (self.step.conduction, &self.kirchhoff.properties, self.step.scale());
-        let rise: Vec<f64> =
-            potential.iter().map(|&theta| properties.conductivity.inverse_integral(theta)).collect();
-        let mut conducted = vec![0.0; rise.len()];
-        self.conduct(&potential, &mut conducted);
-        conducted.iter_mut().for_each(|flow| *flow *= scale);
-        let mut residual = vec![0.0; rise.len()];
-        for i in 0..rise.len() {
-            let stored = conduction.mass[i] * self.kirchhoff.enthalpy(rise[i]);
+    /// Iterate of a potential and its γΔt K Θ.
+    fn iterate(&self, potential: Vec<f64>, conducted: Vec<f64>) -> Iterate {
+        let (conduction, scale) = (self.step.conduction, self.step.scale());
+        let n = potential.len();
+        let [mut rise, mut enthalpy, mut residual, mut capacities] = [(); 4].map(|()| vec![0.0; n]);
+        for i in 0..n {
+            let state = self.kirchhoff.properties.state(potential[i]);
+            rise[i] = state.rise;
+            capacities[i] = conduction.mass[i] * state.capacity;
+            enthalpy[i] = state.enthalpy;
+            let stored = conduction.mass[i] * state.enthalpy;
             residual[i] = if conduction.on_base(i) { 0.0 } else { self.rhs[i] - stored - conducted[i] };
         }
-        for (point, &place) in conduction.contact_places.iter().enumerate() {
-            residual[place] += scale * self.step.heat.flow(point, rise[place]).0;
-        }
-        Iterate { stage: Stage { potential, rise }, conducted, residual }
-    }
-
-    /// −∂residual/∂Θ without conduction: diagonal, positive.
-    fn slopes(&self, stage: &Stage) -> Vec<f64> {
-        let (conduction, properties) = (self.step.conduction, &self.kirchhoff.properties);
-        let conductivity = |rise: f64| properties.conductivity.value(rise);
-        let mut slopes: Vec<f64> = (stage.rise.iter().zip(&conduction.mass))
-            .map(|(&rise, mass)| mass * properties.specific_heat.value(rise) / conductivity(rise))
-            .collect();
-        for (point, &place) in conduction.contact_places.iter().enumerate() {
-            let rise = stage.rise[place];
-            slopes[place] -=
-                self.step.scale() * self.step.heat.flow(point, rise).1.min(0.0) / conductivity(rise);
-        }
-        slopes
+        let places = conduction.contact_places.iter().enumerate();
+        let contact_slopes = places.map(|(point, &place)| {
+            let (flow, slope) = self.step.heat.flow(point, rise[place]);
+            residual[place] += scale * flow;
+            slope.min(0.0) / self.kirchhoff.properties.conductivity().value(rise[place])
+        });
+        let contact_slopes = contact_slopes.collect();
+        let state = HeatState { potential, rise, enthalpy };
+        Iterate { state, conducted, residual, capacities, contact_slopes }
     }
 
     /// √(ΘJΘ), the norm in which the residual is measured.
-    fn energy_norm(&self, now: &Iterate, slopes: &[f64]) -> f64 {
-        (now.stage.potential.iter().zip(slopes).zip(&now.conducted))
-            .map(|((x, slope), conducted)| x * (slope * x + conducted))
-            .sum::<f64>()
-            .max(0.0)
-            .sqrt()
-    }
-
-    /// The contact's share of the preconditioner: heat exchange linearised.
-    fn factor(&self, stage: &Stage) -> Result<Llt<f64>, HeatError> {
-        let conductivity = &self.kirchhoff.properties.conductivity;
-        self.step.contact_factor(|point| {
-            let rise = stage.rise[self.step.conduction.contact_places[point]];
-            self.step.heat.flow(point, rise).1.min(0.0) / conductivity.value(rise)
-        })
+    fn energy_norm(&self, now: &Iterate) -> f64 {
+        let potential = &now.state.potential;
+        let body: f64 = (potential.iter().zip(&now.capacities).zip(&now.conducted))
+            .map(|((x, capacity), conducted)| x * (capacity * x + conducted))
+            .sum();
+        let places = self.step.conduction.contact_places.iter();
+        let contact: f64 =
+            places.zip(&now.contact_slopes).map(|(&place, slope)| slope * potential[place].powi(2)).sum();
+        (body - self.step.scale() * contact).max(0.0).sqrt()
     }
 
     /// Applies the inverse of the matrix of the initial properties.
@@ -172,33 +155,33 @@ impl StageProblem<'_> {
         factors.to_nodal(&modal, solution);
     }
 
-    /// Solves for the Newton step; `direction` holds the preconditioned residual on entry.
+    /// Solves for the Newton step from the `preconditioned` residual.
+    ///
+    /// The Jacobian differs from the matrix P of the preconditioner in the heat capacities alone. The directions are
+    /// p = z + βp with z = P⁻¹r, so that Pp = r + βPp, and no other product with a matrix is needed.
     fn conjugate_gradients(
         &self,
         factor: &Llt<f64>,
-        (residual, slopes): (&[f64], &[f64]),
-        direction: &mut [f64],
+        now: &Iterate,
+        preconditioned: &[f64],
         tolerance: f64,
-    ) {
-        let (n, scale) = (direction.len(), self.step.scale());
-        let mut r = residual.to_vec();
-        let mut z = direction.to_vec();
-        let mut p = z.clone();
-        let mut product = vec![0.0; n];
-        direction.fill(0.0);
+    ) -> Direction {
+        let (conduction, n) = (self.step.conduction, preconditioned.len());
+        let (mut r, mut z) = (now.residual.clone(), preconditioned.to_vec());
+        let (mut p, mut on_p) = (z.clone(), r.clone());
+        let [mut potential, mut product] = [(); 2].map(|()| vec![0.0; n]);
         let mut rho = dot(&r, &z);
         let target = rho * tolerance * tolerance;
         for _ in 0..KRYLOV_LIMIT {
-            self.conduct(&p, &mut product);
             for i in 0..n {
-                product[i] = slopes[i] * p[i] + scale * product[i];
+                product[i] = on_p[i] + (now.capacities[i] - conduction.mass[i]) * p[i];
             }
             let step = rho / dot(&p, &product);
             if !step.is_finite() {
                 break;
             }
             for i in 0..n {
-                direction[i] += step * p[i];
+                potential[i] += step * p[i];
                 r[i] -= step * product[i];
             }
             self.precondition(factor, &r, &mut z);
@@ -207,22 +190,35 @@ impl StageProblem<'_> {
                 break;
             }
             let beta = next / rho;
-            (0..n).for_each(|i| p[i] = z[i] + beta * p[i]);
+            for i in 0..n {
+                p[i] = z[i] + beta * p[i];
+                on_p[i] = r[i] + beta * on_p[i];
+            }
             rho = next;
         }
+        // The Jacobian times the step is the part of the residual that is gone.
+        let mut conducted: Vec<f64> =
+            (0..n).map(|i| now.residual[i] - r[i] - now.capacities[i] * potential[i]).collect();
+        for (&place, slope) in conduction.contact_places.iter().zip(&now.contact_slopes) {
+            conducted[place] += self.step.scale() * slope * potential[place];
+        }
+        Direction { potential, conducted }
     }
 
     /// Goes along `direction` until the slope of the convex function has fallen by half.
-    fn line_search(&self, now: &Iterate, direction: &[f64]) -> Iterate {
-        let initial = dot(&now.residual, direction);
+    fn line_search(&self, now: &Iterate, direction: &Direction) -> Iterate {
+        let initial = dot(&now.residual, &direction.potential);
         let (mut low, mut low_slope) = (0.0, initial);
         let mut high: Option<(f64, f64)> = None;
         let mut step = 1.0;
         let mut attempt = 0;
         loop {
-            let potential = now.stage.potential.iter().zip(direction).map(|(x, d)| x + step * d).collect();
-            let next = self.iterate(potential);
-            let slope = dot(&next.residual, direction);
+            let along = |from: &[f64], change: &[f64]| -> Vec<f64> {
+                from.iter().zip(change).map(|(x, d)| x + step * d).collect()
+            };
+            let potential = along(&now.state.potential, &direction.potential);
+            let next = self.iterate(potential, along(&now.conducted, &direction.conducted));
+            let slope = dot(&next.residual, &direction.potential);
             attempt += 1;
             if slope.abs() <= 0.5 * initial.abs() || attempt == 30 {
                 return next;
@@ -242,19 +238,19 @@ impl StageProblem<'_> {
         }
     }
 
-    /// K·Θ at k₀.
-    fn conduct(&self, potential: &[f64], flow: &mut [f64]) {
+    /// γΔt K Θ, K at k₀.
+    fn conduct(&self, potential: &[f64]) -> Vec<f64> {
         let sectors = &self.step.conduction.mesh.sectors;
-        let mut slope = vec![0.0; potential.len()];
-        let mut on_slope = vec![0.0; potential.len()];
+        let [mut flow, mut slope, mut on_slope] = [(); 3].map(|()| vec![0.0; potential.len()]);
         sectors.differentiate(&[Parity::Even], potential, &mut slope);
-        flow.fill(0.0);
         match sectors.columns() {
-            1 => self.conduct_lanes::<1>(potential, &slope, flow, &mut on_slope),
-            n if n % 8 == 0 => self.conduct_lanes::<8>(potential, &slope, flow, &mut on_slope),
-            _ => self.conduct_lanes::<4>(potential, &slope, flow, &mut on_slope),
+            1 => self.conduct_lanes::<1>(potential, &slope, &mut flow, &mut on_slope),
+            n if n % 8 == 0 => self.conduct_lanes::<8>(potential, &slope, &mut flow, &mut on_slope),
+            _ => self.conduct_lanes::<4>(potential, &slope, &mut flow, &mut on_slope),
         }
-        sectors.add_transposed(&[Parity::Even], &on_slope, flow);
+        sectors.add_transposed(&[Parity::Even], &on_slope, &mut flow);
+        flow.iter_mut().for_each(|flow| *flow *= self.step.scale());
+        flow
     }
 
     fn conduct_lanes<const W: usize>(

@@ -27,7 +27,7 @@ use crate::solver::harmonic::{FactorError, FieldKind, HarmonicPattern};
 use contact_iteration::ContactIteration;
 use facing::{ContactDisc, Facing};
 use kirchhoff::Kirchhoff;
-use step::{Integrated, Step, StepMatrix};
+use step::{HeatState, Integrated, Step, StepMatrix};
 use sublayers::Sublayers;
 
 mod contact_iteration;
@@ -89,8 +89,7 @@ pub struct HeatBalance {
 /// Solution of a step, from which the next one of the same length starts.
 struct Tried {
     dt: f64,
-    /// At the ends of the stages.
-    rises: [Vec<f64>; 2],
+    stages: [HeatState; 2],
     /// Of the balance with a conducting counterface, see [`Facing`].
     jacobian: Option<Matrix3<f64>>,
 }
@@ -114,8 +113,8 @@ pub struct Conduction {
     pub(crate) counterface: Option<HalfSpace>,
     /// The step advanced last since the last commit.
     tried: Option<Tried>,
-    /// Temperature rise at the nodes, those of the body first.
-    pub committed: Vec<f64>,
+    /// At the nodes, those of the body first.
+    pub committed: HeatState,
 }
 
 impl Conduction {
@@ -142,7 +141,7 @@ impl Conduction {
             varying: None,
             counterface: None,
             tried: None,
-            committed: vec![0.0; mesh.field_length(1)],
+            committed: HeatState::linear(vec![0.0; mesh.field_length(1)]),
             sublayers,
             mesh,
         })
@@ -160,10 +159,11 @@ impl Conduction {
         self
     }
 
-    /// Makes the temperature rise after the step that was advanced last the committed one.
-    pub fn commit(&mut self, rise: Vec<f64>) {
-        self.committed = rise;
-        self.tried = None;
+    /// Makes the temperatures after the step that was advanced last the committed ones.
+    pub fn commit(&mut self) {
+        if let Some(Tried { stages: [_, last], .. }) = self.tried.take() {
+            self.committed = last;
+        }
         if let Some(counterface) = &mut self.counterface {
             counterface.commit();
         }
@@ -230,7 +230,7 @@ impl Conduction {
         });
         let step = Step { conduction: self, matrix: &matrix, dt, body, heat, facing: facing.as_ref() };
         let solved = match &self.varying {
-            Some(varying) => step.integrate(&mut &*varying, tried.as_ref().map(|tried| &tried.rises)),
+            Some(varying) => step.integrate(&mut &*varying, tried.as_ref().map(|tried| &tried.stages)),
             None => match step.integrate(&mut ContactIteration::default(), None) {
                 // At kinks of the heat flow Newton's method may cycle; minimisation is slower and does not cycle.
                 Err(HeatError::NotConverged { .. }) => {
@@ -240,10 +240,10 @@ impl Conduction {
                 done => done,
             },
         };
-        let Integrated { rises, balance, fluxes } = solved?;
-        let rise = rises[1].clone();
+        let Integrated { stages, balance, fluxes } = solved?;
+        let rise = stages[1].rise.clone();
         let (response, jacobian) = facing.map(|facing| (facing.response, facing.jacobian.get())).unzip();
-        self.tried = Some(Tried { dt, rises, jacobian });
+        self.tried = Some(Tried { dt, stages, jacobian });
         if let Some((half_space, response)) = self.counterface.as_mut().zip(response) {
             half_space.try_fluxes(response, fluxes);
         }
@@ -273,10 +273,10 @@ impl Conduction {
         flow
     }
 
-    /// Heat in the body at a temperature rise, half body: ∫ρc₀H dV.
-    pub fn stored(&self, rise: &[f64]) -> f64 {
-        let enthalpy = |t: f64| self.varying.as_ref().map_or(t, |varying| varying.enthalpy(t));
-        rise.iter().zip(&self.mass).map(|(&t, m)| enthalpy(t) * m).sum()
+    /// Heat in the body after the step that was advanced last, half body: ∫ρc₀H dV.
+    pub fn stored(&self) -> f64 {
+        let state = self.tried.as_ref().map_or(&self.committed, |tried| &tried.stages[1]);
+        state.enthalpy.iter().zip(&self.mass).map(|(enthalpy, mass)| enthalpy * mass).sum()
     }
 }
 

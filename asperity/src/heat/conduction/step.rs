@@ -51,16 +51,28 @@ pub(super) struct Step<'a> {
     pub(super) facing: Option<&'a Facing<'a>>,
 }
 
-/// Solution of a stage.
-pub(super) struct Stage {
+/// Temperatures at the nodes, as at the end of a stage.
+#[derive(Clone)]
+pub struct HeatState {
+    /// Θ, K.
     pub(super) potential: Vec<f64>,
-    pub(super) rise: Vec<f64>,
+    /// θ, K.
+    pub rise: Vec<f64>,
+    /// H, in kelvin at c₀.
+    pub(super) enthalpy: Vec<f64>,
+}
+
+impl HeatState {
+    /// At constant properties, where θ = Θ = H.
+    pub(super) fn linear(rise: Vec<f64>) -> Self {
+        Self { potential: rise.clone(), enthalpy: rise.clone(), rise }
+    }
 }
 
 /// Solution of a step.
 pub(super) struct Integrated {
     /// At the ends of both stages.
-    pub(super) rises: [Vec<f64>; 2],
+    pub(super) stages: [HeatState; 2],
     pub(super) balance: HeatBalance,
     /// Into a conducting counterface in both stages.
     pub(super) fluxes: [Profile; 2],
@@ -68,18 +80,15 @@ pub(super) struct Integrated {
 
 /// Solves the stages of a step: M H(Θ) + γΔt K Θ = rhs + γΔt q(θ).
 pub(super) trait StageSolver {
-    /// H at a rise, in kelvin at c₀.
-    fn enthalpy(&self, rise: f64) -> f64;
-
-    /// `guess`: temperature rises to start from; `reduction`: of its residual that is enough, where a solution with another heat
+    /// `guess`: temperatures to start from; `reduction`: of its residual that is enough, where a solution with another heat
     /// flow follows.
     fn solve(
         &mut self,
         step: &Step<'_>,
         rhs: &[f64],
-        guess: &[f64],
+        guess: &HeatState,
         reduction: f64,
-    ) -> Result<Stage, HeatError>;
+    ) -> Result<HeatState, HeatError>;
 }
 
 impl Step<'_> {
@@ -88,25 +97,25 @@ impl Step<'_> {
         GAMMA * self.dt
     }
 
-    /// H₁ = H₀ + γΔt Ḣ₁, H₂ = H₀ + (1 − γ)Δt Ḣ₁ + γΔt Ḣ₂, from the rises of both stages in `expected` or, without them, from
-    /// those before each.
+    /// H₁ = H₀ + γΔt Ḣ₁, H₂ = H₀ + (1 − γ)Δt Ḣ₁ + γΔt Ḣ₂, from those of both stages in `expected` or, without them, from
+    /// the state before each.
     pub(super) fn integrate(
         &self,
         solver: &mut impl StageSolver,
-        expected: Option<&[Vec<f64>; 2]>,
+        expected: Option<&[HeatState; 2]>,
     ) -> Result<Integrated, HeatError> {
         let (conduction, n) = (self.conduction, self.body.len());
-        let start: Vec<f64> = conduction.committed.iter().map(|&rise| solver.enthalpy(rise)).collect();
+        let start = &conduction.committed.enthalpy;
         let right = |content: &dyn Fn(usize) -> f64| -> Vec<f64> {
             (0..n).map(|i| conduction.mass[i] * content(i) + GAMMA * self.body[i]).collect()
         };
         let mut fluxes = [Profile::zeros(); 2];
         let guess = expected.map_or(&conduction.committed, |[first, _]| first);
         let first = self.solve(solver, (&right(&|i| start[i]), guess), 0, &mut fluxes)?;
-        let reached: Vec<f64> = first.rise.iter().map(|&rise| solver.enthalpy(rise)).collect();
+        let reached = &first.enthalpy;
         let ratio = (1.0 - GAMMA) / GAMMA;
         let right = right(&|i| start[i] + ratio * (reached[i] - start[i]));
-        let guess = expected.map_or(&first.rise, |[_, last]| last);
+        let guess = expected.map_or(&first, |[_, last]| last);
         let last = self.solve(solver, (&right, guess), 1, &mut fluxes)?;
 
         let weighted = |a: f64, b: f64| self.dt * ((1.0 - GAMMA) * a + GAMMA * b);
@@ -120,31 +129,31 @@ impl Step<'_> {
             body: (0..n).filter(|&i| !conduction.on_base(i)).map(|i| self.body[i]).sum(),
             base: weighted(conduction.base_flow(&first.potential), conduction.base_flow(&last.potential)),
         };
-        Ok(Integrated { rises: [first.rise, last.rise], balance, fluxes })
+        Ok(Integrated { stages: [first, last], balance, fluxes })
     }
 
     /// Solves the stage `stage` (0, 1) with the flux into the counterface, which is entered into `fluxes`.
     fn solve(
         &self,
         solver: &mut impl StageSolver,
-        (rhs, guess): (&[f64], &[f64]),
+        (rhs, guess): (&[f64], &HeatState),
         stage: usize,
         fluxes: &mut [Profile; 2],
-    ) -> Result<Stage, HeatError> {
+    ) -> Result<HeatState, HeatError> {
         let Some(facing) = self.facing.filter(|facing| facing.disc.total > 0.0) else {
             return solver.solve(self, rhs, guess, 0.0);
         };
         let (disc, resistance) = (&facing.disc, facing.resistance);
         let rise_of = |rise: &[f64], point: usize| rise[self.conduction.contact_places[point]];
         let frictional = |rise: &[f64]| disc.profile(|point| self.heat.flow(point, rise_of(rise, point)).0);
-        let at_start = frictional(guess);
+        let at_start = frictional(&guess.rise);
         // Into the counterface if friction generated what it does at the start of the stage.
         let mut flux = facing.expected[stage];
-        let mut before: Option<(Profile, Profile, Stage)> = None;
+        let mut before: Option<(Profile, Profile, HeatState)> = None;
         let (mut residual, mut largest) = (f64::INFINITY, f64::MIN_POSITIVE);
         for _ in 0..FLUX_ITERATIONS {
             let heat = Drawn::new(self.heat, disc, flux, at_start);
-            let start = before.as_ref().map_or(guess, |(.., stage)| &stage.rise);
+            let start = before.as_ref().map_or(guess, |(.., stage)| stage);
             let reduction = if before.is_some() { REDUCTION } else { 0.0 };
             let solved = solver.solve(&Step { heat: &heat, ..*self }, rhs, start, reduction)?;
             let rise = disc.profile_of_values(|point| rise_of(&solved.rise, point));
@@ -171,7 +180,7 @@ impl Step<'_> {
     }
 
     /// Heat per time through the contact, net, and the part lost to the flat.
-    fn flows(&self, stage: &Stage) -> (f64, f64) {
+    fn flows(&self, stage: &HeatState) -> (f64, f64) {
         let places = self.conduction.contact_places.iter().enumerate();
         places.fold((0.0, 0.0), |(net, lost), (i, &place)| {
             let rise = stage.rise[place];

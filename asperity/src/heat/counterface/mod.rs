@@ -197,13 +197,13 @@ impl HalfSpace {
 
     /// Rise of temperature at a potential.
     pub fn rise_at(&self, potential: f64) -> f64 {
-        self.varying.as_ref().map_or(potential, |varying| varying.conductivity.inverse_integral(potential))
+        self.varying.as_ref().map_or(potential, |varying| varying.conductivity().inverse_integral(potential))
     }
 
     /// Bound of the relative error of its mean rise where that is `rise`, see [`varying_counterface`].
     pub fn error_of_mean_rise(&self, rise: f64) -> f64 {
         let of = |varying: &ThermalProperties| {
-            let potential = varying.conductivity.integral(rise);
+            let potential = varying.conductivity().integral(rise);
             varying_counterface::MEAN_RISE * varying.diffusivity(potential).ln().abs()
         };
         self.varying.as_ref().map_or(0.0, of)

@@ -53,7 +53,7 @@ impl Slide<'_> {
         if let (Some((rise, balance)), Some(conduction)) = (&solved.heated, &self.heat) {
             state.heat_in += balance.contact + balance.body;
             state.heat_out += balance.base + balance.gap;
-            state.heat_stored = conduction.stored(rise);
+            state.heat_stored = conduction.stored();
             (state.rise_max, state.rise_mean) = contact_rise(&self.mechanics.contact, rise);
             state.heat_counterface += balance.counterface;
             let generated = balance.contact + balance.counterface;
@@ -69,8 +69,8 @@ impl Slide<'_> {
     /// Commits the solved increment and appends its state.
     pub(super) fn commit(&mut self, state: SlideState, solved: Equilibrium) {
         let Equilibrium { flat, sources, heated } = solved;
-        if let (Some((rise, _)), Some(conduction)) = (heated, self.heat.as_mut()) {
-            conduction.commit(rise);
+        if let (Some(_), Some(conduction)) = (heated, self.heat.as_mut()) {
+            conduction.commit();
         }
         self.mechanics.body.commit();
         self.mechanics.contact.commit();

@@ -46,8 +46,7 @@ pub fn varying() -> Vec<Row> {
     let flux = Profile::new(0.9, 0.0, 0.0);
     let speed: f64 = 1e6;
     let row = |(conductivity, heat, expected): (f64, f64, f64)| {
-        let properties =
-            ThermalProperties { specific_heat: growing(heat), conductivity: growing(conductivity) };
+        let properties = ThermalProperties::new(&growing(heat), &growing(conductivity));
         let mut half_space = HalfSpace::new(1.0, 1.0).with_properties(Some(properties));
         let fluxes = [flux * speed.sqrt(); 2];
         let (mut potential, mut dt) = (0.0, 1e-3 / speed);
