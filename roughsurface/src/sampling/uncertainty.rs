@@ -314,5 +314,19 @@ uncertainty = { KEY }
         assert_eq!(file.uncertain_tables, [("yield_strength".to_string(), "up.nc".into())]);
         let error = propagate(&file, ("model:hertz", false), &base, &settings, &|_, _| ()).unwrap_err();
         assert!(error.to_string().starts_with("uncertainty.tables: has no meaning"));
+        // A standard deviation that is allowed for the value is not compared with the varied value.
+        let file = parse("heights_std = 0.33e-6").unwrap();
+        let heights_std = file.uncertain[0].parameter;
+        for change in [-0.33e-6, 0.33e-6] {
+            let varied = file.varied(heights_std, change).unwrap().surface.heights.standard_deviation();
+            assert!((varied / (1e-6 + change) - 1.0).abs() < 1e-12, "{varied:e}");
+        }
+        let soft = text.replace("KEY", "poisson_ratio = 0.1")
+            + "material = { youngs_modulus = 2e6, poisson_ratio = 0.45, yield_strength = 1e6 }\n";
+        let file = SurfaceFile::parse(Path::new("s.toml"), soft).unwrap();
+        let error = file.varied(file.uncertain[0].parameter, 0.1).unwrap_err().to_string();
+        let expected =
+            "uncertainty.poisson_ratio: with one standard deviation of 1e-1, material.poisson_ratio = 0.55";
+        assert!(error.contains(expected), "{error}");
     }
 }

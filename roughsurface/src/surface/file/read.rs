@@ -103,7 +103,19 @@ impl SurfaceFile {
 
     /// The same surface, query and material with one parameter moved by `change`.
     pub fn varied(&self, parameter: &Parameter, change: f64) -> Result<Self, SurfaceFileError> {
-        Self::parse_moved(&self.file, self.text.clone(), Some((parameter, change)))
+        Self::parse_moved(&self.file, self.text.clone(), Some((parameter, change))).map_err(|error| {
+            match error {
+                SurfaceFileError::Content { file, line, what } => {
+                    let what = format!(
+                        "uncertainty.{}: with one standard deviation of {:e}, {what}",
+                        parameter.key,
+                        change.abs()
+                    );
+                    SurfaceFileError::Content { file, line, what }
+                }
+                other => other,
+            }
+        })
     }
 
     /// Another surface file with the same keys laid over it.
@@ -119,19 +131,14 @@ impl SurfaceFile {
         let content = |line: Option<usize>, what: String| content(file, line, what);
         let deserializer = toml::Deserializer::parse(&text)
             .map_err(|error| content(line_of(&text, error.span()), syntax_error(&text, &error)))?;
-        let mut keys: FileKeys = serde_path_to_error::deserialize(deserializer).map_err(|error| {
+        let keys: FileKeys = serde_path_to_error::deserialize(deserializer).map_err(|error| {
             let inner = error.inner();
             match section_of_scene(&text) {
                 Some(section) => content(None, format!("has [{section}]: it is a scene or a request of `asperity`, not a surface file, which has [surface] and [query]")),
                 None => content(line_of(&text, inner.span()), explain(&error.path().to_string(), inner.message())),
             }
         })?;
-        if let Some((parameter, change)) = moved
-            && let Some(value) = (parameter.value)(&mut keys)
-        {
-            *value += change;
-        }
-        build(keys, file, &text).map_err(|what| content(None, what))
+        build(keys, moved, file, &text).map_err(|what| content(None, what))
     }
 }
 
@@ -150,10 +157,20 @@ fn line_of(text: &str, span: Option<std::ops::Range<usize>>) -> Option<usize> {
     span.map(|span| 1 + text[..span.start.min(text.len())].matches('\n').count())
 }
 
-fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, String> {
+fn build(
+    mut keys: FileKeys,
+    moved: Option<(&Parameter, f64)>,
+    file: &Path,
+    text: &str,
+) -> Result<SurfaceFile, String> {
     let folder = file.parent().unwrap_or(Path::new("."));
     let uncertain_tables = keys.uncertain_tables(folder);
     let uncertain = keys.uncertain()?;
+    if let Some((parameter, change)) = moved
+        && let Some(value) = (parameter.value)(&mut keys)
+    {
+        *value += change;
+    }
     let SurfaceKeys { asperity_density, asperity_radius, radii, heights } = keys.surface;
     positive("surface.asperity_density", asperity_density, "1/m2")?;
     let asperity_radius = radii_of(asperity_radius, radii)?;
