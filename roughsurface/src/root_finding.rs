@@ -26,8 +26,8 @@ impl Convergency<f64> for Accuracy {
     }
 }
 
-/// A root of `function` between `from` and `to`; none without a change of sign. An error of the function
-/// ends the search.
+/// A root of `function` between `from` and `to`; none without a change of sign, unless the function is within its
+/// tolerance at an end. An error of the function ends the search.
 pub(crate) fn root_between<E>(
     from: f64,
     to: f64,
@@ -49,9 +49,10 @@ pub(crate) fn root_between<E>(
         value
     };
     let found = find_root_brent(from, to, value, &mut accuracy);
+    let at_end = || known.iter().find(|(_, value)| accuracy.is_root_found(*value)).map(|(place, _)| *place);
     match failure {
         Some(error) => Err(error),
-        None => Ok(found.ok()),
+        None => Ok(found.ok().or_else(at_end)),
     }
 }
 
@@ -79,6 +80,10 @@ mod tests {
             (root(0.0, 1.0, |x| Ok(if x < 0.3 { 1e3 } else { -1.0 })).unwrap().unwrap() - 0.3).abs() < 1e-14
         );
         assert_eq!(root(0.0, 1.0, |x| Ok(x + 1.0)), Ok(None));
+        // No change of sign by rounding.
+        let accuracy = Accuracy { value: 1e-3, width: 1e-15 };
+        let found = root_between(0.0, 1.0, accuracy, |x| Ok::<_, ()>(if x < 1.0 { -1.0 } else { -1e-9 }));
+        assert_eq!(found, Ok(Some(1.0)));
         assert_eq!(
             root(0.0, 1.0, |x| if x > 0.2 { Err("out of range") } else { Ok(-1.0) }),
             Err("out of range")

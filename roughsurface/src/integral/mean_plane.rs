@@ -136,5 +136,14 @@ mod tests {
                 assert!((found - exact).abs() < 1e-9 * sigma, "{size} {place}: {found:e} {exact:e}");
             }
         }
+        // Displacements below the rounding error of the separation.
+        let asked = query(NormalLoading::Separation(vec![0.0]));
+        let (interaction, nominal_size) = (Interaction::MeanPressure, Some(1e-2));
+        let plane = MeanPlane::new(&Query { interaction, nominal_size, ..asked }, law.as_ref()).unwrap();
+        for place in 20..50 {
+            let separation = 1.1 * f64::from(place) * sigma;
+            let found = plane.effective_separation(&mut integral, separation).unwrap();
+            assert!((found - separation).abs() < 1e-6 * sigma, "{place}: {found:e}");
+        }
     }
 }
