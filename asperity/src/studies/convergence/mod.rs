@@ -129,7 +129,8 @@ impl Convergence {
         CONTROLLED
             .iter()
             .map(|&quantity| self.errors(run, quantity).0 / quantity.allowance())
-            .fold(0.0, f64::max)
+            // A value that is no number has no bound.
+            .fold(0.0, |largest: f64, error| if error.is_nan() { f64::INFINITY } else { largest.max(error) })
     }
 
     /// The run as the scene chooses it.

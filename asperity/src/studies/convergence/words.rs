@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::{Convergence, Run, SHOWN};
 use crate::scene::ELEMENTS_PER_RADIUS;
+use tables::quantity::Quantity;
 
 /// A row per run: cost, and for each quantity the error and in brackets its estimate, in per cent.
 pub fn table(convergence: &Convergence) -> String {
@@ -37,9 +38,10 @@ pub fn in_words(convergence: &Convergence) -> String {
     let accuracy = convergence.accuracy;
     let of = |run: &Run| 100.0 * convergence.worst_error(run);
     let mut text = format!(
-        "As chosen, {} elements per contact radius: errors of mu, mu_static, Q, P and area, and a fifth of \
-         that of G, are at most {:.2} % for {:.1} s of processor time; the accuracy is {:.2} %.\n",
+        "As chosen, {} elements per contact radius: errors of mu, mu_static, Q, P and area, and that of G over \
+         {}, are at most {:.2} % for {:.1} s of processor time; the accuracy is {:.2} %.\n",
         chosen.elements_per_radius,
+        Quantity::EnergyRelease.allowance(),
         of(chosen),
         chosen.cpu_time,
         100.0 * accuracy
@@ -52,18 +54,18 @@ pub fn in_words(convergence: &Convergence) -> String {
         .min_by(|a, b| a.cpu_time.total_cmp(&b.cpu_time));
     let advice = match least_expensive {
         Some(run) if run.cpu_time < 0.8 * chosen.cpu_time => format!(
-            "A coarser mesh suffices: {} elements have {:.2} % for {:.2} times the processor time.\n",
+            "{} elements suffice: {:.2} % for {:.2} times the processor time.\n",
             run.elements_per_radius,
             of(run),
             run.cpu_time / chosen.cpu_time
         ),
         Some(run) if convergence.worst_error(chosen) > accuracy => format!(
-            "A finer mesh is required: {} elements have {:.2} % for {:.1} times the processor time.\n",
+            "{} elements are needed: {:.2} % for {:.1} times the processor time.\n",
             run.elements_per_radius,
             of(run),
             run.cpu_time / chosen.cpu_time
         ),
-        Some(_) => "No coarser mesh of the sweep meets the accuracy for much less.\n".to_owned(),
+        Some(_) => "No mesh of the sweep meets the accuracy for much less.\n".to_owned(),
         None => "No mesh of the sweep meets the accuracy.\n".to_owned(),
     };
     text += &advice;
