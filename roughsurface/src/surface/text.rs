@@ -2,8 +2,18 @@
 
 use std::borrow::Cow;
 
-/// The text of a file: UTF-8, or else Latin-1, in which instruments write µ, Å and ö.
+/// The text of a file: UTF-16 with its mark, as spreadsheets write "Unicode", UTF-8, or else Latin-1, in which instruments
+/// write µ, Å and ö.
 pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    let utf16 = |unit: fn([u8; 2]) -> u16| {
+        let units: Vec<u16> = bytes.as_chunks().0.iter().map(|pair| unit(*pair)).collect();
+        String::from_utf16_lossy(&units).into()
+    };
+    match bytes {
+        [0xff, 0xfe, ..] => return utf16(u16::from_le_bytes),
+        [0xfe, 0xff, ..] => return utf16(u16::from_be_bytes),
+        _ => {}
+    }
     match std::str::from_utf8(bytes) {
         Ok(text) => text.into(),
         Err(_) => bytes.iter().copied().map(char::from).collect::<String>().into(),

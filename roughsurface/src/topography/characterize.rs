@@ -54,8 +54,8 @@ pub struct Characterization {
     pub summits: Nayak,
     /// Summits found one by one, on a profile its peaks.
     pub found: Summits,
-    /// R with twice the cut-off over R: the influence of the cut-off.
-    pub radius_at_twice_the_cutoff: f64,
+    /// R with twice the cut-off over R, the influence of the cut-off; none where the topography does not allow that.
+    pub radius_at_twice_the_cutoff: Option<f64>,
     /// Moments and summits with half and with twice the cut-off, where the topography allows it.
     pub other_cutoffs: Vec<AtCutoff>,
     /// Together with the rough face on the other side.
@@ -150,7 +150,15 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
 
     let (shortest, longest) = cutoffs(&topography);
     if cutoff < shortest || cutoff > longest {
-        return Err(refused_cutoff(cutoff, (shortest, longest), &warnings));
+        return Err(match options.cutoff {
+            Some(cutoff) => refused_cutoff(cutoff, (shortest, longest), &warnings),
+            None => format!(
+                "the default cut-off, the reliability limit of {} m ({limited_by}), is longer than a quarter of the extent, {} m: \
+                 measure more points, or give a --cutoff",
+                plain(cutoff),
+                plain(longest)
+            ),
+        });
     }
     let moments_at = |cutoff: f64| Moments::of(&topography, options.window, cutoff);
     let moments = moments_at(cutoff);
@@ -160,6 +168,9 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
         let moments = is_allowed.then(|| moments_at(cutoff))?;
         Nayak::of(&moments.isotropic).map(|summits| AtCutoff { cutoff, moments, summits })
     };
+    let other_cutoffs: Vec<AtCutoff> =
+        [0.5, 2.0].into_iter().filter_map(|factor| other(factor * cutoff)).collect();
+    let longer = other_cutoffs.iter().find(|other| other.cutoff > cutoff);
     let areal_slope = (!topography.is_profile()).then(|| (2.0 * moments.m2).sqrt());
     let mut characterization = Characterization {
         points: (topography.rows, topography.columns),
@@ -177,9 +188,9 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
         rms_curvature: moments.m4.sqrt(),
         moments,
         summits: nayak,
-        found: summits::find(&topography, cutoff),
-        radius_at_twice_the_cutoff: (moments.isotropic.m4 / moments_at(2.0 * cutoff).isotropic.m4).sqrt(),
-        other_cutoffs: [0.5, 2.0].into_iter().filter_map(|factor| other(factor * cutoff)).collect(),
+        found: summits::find(&topography, options.window, cutoff),
+        radius_at_twice_the_cutoff: longer.map(|longer| longer.summits.radius / nayak.radius),
+        other_cutoffs,
         two_faces: None,
         spectrum: spectrum.radial(),
         warnings,
@@ -199,6 +210,12 @@ pub(super) fn summits_of(moments: &Isotropic) -> Result<Nayak, String> {
     let Isotropic { m0, m2, m4 } = *moments;
     if !m2.is_finite() {
         return Err("the heights are so large that their slopes are not finite".into());
+    }
+    if [m0, m2, m4].iter().any(|moment| *moment < 0.0) {
+        return Err(format!(
+            "no isotropic surface has such profiles: its moments would be m0 = {m0:.2e} m2, m2 = {m2:.2e}, m4 = {m4:.2e} 1/m2; \
+             noise, or another cut-off: try a longer --cutoff, or measure a map"
+        ));
     }
     Nayak::of(moments).ok_or_else(|| {
         format!(
@@ -274,7 +291,7 @@ mod tests {
         let found = characterize(map.clone(), &Options::default()).unwrap();
         assert_eq!(found.cutoff, 4.0 * map.pixel());
         assert!(matches!(found.warnings[0], Warning::NoCutoff { .. }), "{:?}", found.warnings);
-        assert!(found.radius_at_twice_the_cutoff > 1.0);
+        assert!(found.radius_at_twice_the_cutoff.unwrap() > 1.0);
         let asked = |cutoff: f64| {
             let options = Options { cutoff: Some(cutoff), ..Options::default() };
             characterize(map.clone(), &options)

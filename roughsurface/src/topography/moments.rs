@@ -46,8 +46,8 @@ impl Moments {
     /// of the filtered heights a cut-off away from the edges; without a window the topography continues at its
     /// other side. m0 is that of all heights less what the filter takes off.
     pub fn of(topography: &Topography, window: Window, cutoff: f64) -> Self {
-        let periodic = topography.periodic || window == Window::None;
-        let filtered = Filtered { topography, surface: Continued::of(topography, periodic, cutoff), cutoff };
+        let surface = Continued::of(topography, window.continues(topography), cutoff);
+        let filtered = Filtered { topography, surface, cutoff };
         let m0 = filtered.mean_square_height();
         // ∂z/∂x + i ∂z/∂y with x along the rows.
         let slopes = filtered.field(|y, x| Complex::new(-y, x));

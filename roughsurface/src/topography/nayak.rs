@@ -23,11 +23,13 @@ pub struct Nayak {
 pub const SMALLEST_ALPHA: f64 = 1.5;
 
 impl Nayak {
-    /// Of a surface with those moments; none where α is too small for any distribution of summits.
+    /// Of a surface with those moments; none where they are not positive, which estimates from a profile can be, or where α
+    /// is too small for any distribution of summits.
     pub fn of(moments: &Isotropic) -> Option<Self> {
         let Isotropic { m0, m2, m4 } = *moments;
         let alpha = m0 * m4 / (m2 * m2);
-        (alpha > 0.8968 && alpha.is_finite()).then(|| Self {
+        let is_positive = [m0, m2, m4].iter().all(|moment| *moment > 0.0);
+        (is_positive && alpha > 0.8968 && alpha.is_finite()).then(|| Self {
             alpha,
             density: m4 / (6.0 * PI * 3f64.sqrt() * m2),
             radius: 0.375 * (PI / m4).sqrt(),
@@ -53,6 +55,9 @@ mod tests {
             let lost = (m0 - summits.std.powi(2)) * product * product;
             assert!((lost / 3.717e-4 - 1.0).abs() < 1e-4, "{lost}");
             assert!(Nayak::of(&Isotropic { m4: 0.89 * m2 * m2 / m0, ..moments }).is_none());
+            // With a positive bandwidth.
+            assert!(Nayak::of(&Isotropic { m0: -m0, m2, m4: -m4 }).is_none());
+            assert!(Nayak::of(&Isotropic { m2: -m2, ..moments }).is_none());
         }
     }
 }

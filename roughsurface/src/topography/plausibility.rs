@@ -67,7 +67,7 @@ pub(super) fn seems_periodic(topography: &Topography) -> Option<Warning> {
 
 /// A warning if a topography that is taken to continue at its other side, periodic or without a window, has a step there.
 pub(super) fn edges_jump(topography: &Topography, window: Window) -> Option<Warning> {
-    if !topography.periodic && window != Window::None {
+    if !window.continues(topography) {
         return None;
     }
     // One step of a profile varies more than the mean of those along an edge.

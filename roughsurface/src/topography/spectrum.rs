@@ -17,8 +17,13 @@ pub enum Window {
 }
 
 impl Window {
+    /// Whether the topography is taken to continue at its other side.
+    pub(super) fn continues(self, topography: &Topography) -> bool {
+        topography.periodic || self == Self::None
+    }
+
     fn weight(self, topography: &Topography) -> impl Fn(usize, usize) -> f64 + use<> {
-        let tapered = self == Self::Hann && !topography.periodic;
+        let tapered = !self.continues(topography);
         let (rows, columns) = (topography.rows, topography.columns);
         // ⟨sin⁴⟩ = 3/8.
         let hann = move |index: usize, count: usize| match tapered && count > 1 {
@@ -36,7 +41,7 @@ impl Window {
     /// Number of independent waves over that without a window: 1/⟨w⁴⟩ for each direction, ⟨w²⟩ = 1.
     fn independent(self, topography: &Topography) -> f64 {
         let hann = 18.0f64 / 35.0;
-        match self == Self::Hann && !topography.periodic {
+        match !self.continues(topography) {
             true => hann.powi(if topography.is_profile() { 1 } else { 2 }),
             false => 1.0,
         }

@@ -3,6 +3,7 @@
 use super::Topography;
 use super::edges::Continued;
 use super::filter::transmission;
+use super::spectrum::Window;
 use rustfft::num_complex::Complex;
 
 /// Summits of a map, or peaks of a profile, after the short-wavelength filter.
@@ -39,9 +40,9 @@ const MOST_POINTS: usize = 1 << 26;
 /// those of the paraboloid through the neighbourhood, curvatures are exact derivatives of the filtered heights.
 /// Without periodicity the filter has no data beyond the edges, and summits nearer to them than a cut-off are
 /// not counted.
-pub fn find(topography: &Topography, cutoff: f64) -> Summits {
+pub fn find(topography: &Topography, window: Window, cutoff: f64) -> Summits {
     let profile = topography.is_profile();
-    let surface = Continued::of(topography, topography.periodic, cutoff);
+    let surface = Continued::of(topography, window.continues(topography), cutoff);
     let (more_rows, more_columns) = refinement(topography, surface.size.0 * surface.size.1, cutoff);
     let (rows, columns) = (surface.size.0 * more_rows, surface.size.1 * more_columns);
     // The mean curvature −∇²z/2, of a profile −z'', times the square of the cut-off: as large as the height.
@@ -145,7 +146,7 @@ mod tests {
     fn an_egg_box_has_one_summit_a_cell() {
         // z = a cos(qx) cos(qy): two summits a cell, of height a and curvature a q².
         let (map, q, a) = egg_box(128, 4);
-        let found = find(&map, map.pixel() * 4.0);
+        let found = find(&map, Window::Hann, map.pixel() * 4.0);
         assert_eq!(found.count, 2 * 4 * 4);
         let left = transmission(q * 2f64.sqrt(), map.pixel() * 4.0);
         assert!((found.mean / (a * left) - 1.0).abs() < 1e-6, "{:e}", found.mean);
@@ -160,7 +161,7 @@ mod tests {
         let map = surface.map(1);
         let cutoff = 4.0 * map.pixel();
         let theory = Nayak::of(&Moments::of(&map, Window::None, cutoff).isotropic).unwrap();
-        let found = find(&map, cutoff);
+        let found = find(&map, Window::Hann, cutoff);
         assert!((found.density / theory.density - 1.0).abs() < 0.03, "{} {}", found.density, theory.density);
         assert!((found.radius / theory.radius - 1.0).abs() < 0.02, "{} {}", found.radius, theory.radius);
     }
@@ -187,7 +188,7 @@ mod tests {
             let map = surface.map(seed);
             let cutoff = surface.shortest();
             let theory = Nayak::of(&Moments::of(&map, Window::Hann, cutoff).isotropic).unwrap();
-            let found = find(&map, cutoff);
+            let found = find(&map, Window::Hann, cutoff);
             let off = |value: f64, exact: f64| (value / exact - 1.0).abs();
             // A few thousand summits, correlated over the longest waves.
             assert!(found.count > 1500, "{}", found.count);

@@ -72,12 +72,12 @@ pub enum Warning {
         "no cut-off was given and the reliability limit of {limit:.3e} m ({reason}) is used: summit radius and \
          density follow from it, {}; an instrument may \
          blur longer waves than that, give what it resolves with --cutoff",
-        match *.radius_at_twice {
-            ratio if ratio.is_finite() => format!("twice the cut-off gives {ratio:.2} times the radius"),
-            _ => "twice the cut-off leaves no waves".to_owned(),
+        match .radius_at_twice {
+            Some(ratio) => format!("twice the cut-off gives {ratio:.2} times the radius"),
+            None => "twice the cut-off is more than the topography allows".to_owned(),
         }
     )]
-    NoCutoff { limit: f64, reason: Limit, radius_at_twice: f64 },
+    NoCutoff { limit: f64, reason: Limit, radius_at_twice: Option<f64> },
     #[error(
         "the cut-off of {} m is shorter than the reliability limit of {} m ({reason})",
         beside(*.cutoff, rounded(*.limit, 4), 4),

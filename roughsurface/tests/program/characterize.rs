@@ -205,6 +205,54 @@ fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
     folder.refused(&format!("characterize {map} -o no/s.toml"), "its folder does not exist");
 }
 
+/// A title with a unit is none of the sections of a surface file; a surface file may begin with a mark of its encoding.
+#[test]
+fn topographies_and_surface_files_are_told_apart() {
+    let folder = Folder::new();
+    let text = std::fs::read_to_string(data("map-xyz-um.txt")).unwrap();
+    for (title, unit) in [("[um]", "--unit um"), ("[um] [um] [um]", "")] {
+        folder.write("titled.txt", format!("{title}\n{text}"));
+        let query = "--cutoff 1.6um --table steel-4340 --pressure 1e5 --slip-rate 1";
+        folder.run_well(&format!("predict titled.txt {unit} {query} -o f.nc -q"));
+    }
+    let surface = "\u{feff}[surface]\nasperity_density = 1e8\nasperity_radius = 1e-3\nheights = { distribution = \"gaussian\", \
+                   std = 4e-7 }\n[query]\npressure = 1e6\nslip_rate = 1\n";
+    folder.write("marked.surface", surface);
+    folder.run_well("predict marked.surface --table steel-4340 -o f.nc -q");
+    // As spreadsheets write "Unicode".
+    let utf16: Vec<u8> = format!("\u{feff}{text}").encode_utf16().flat_map(u16::to_le_bytes).collect();
+    folder.write("unicode.txt", utf16);
+    folder.run_well("characterize unicode.txt --unit um --cutoff 1.6um -q");
+}
+
+/// White noise has shorter waves than any isotropic surface with such profiles.
+#[test]
+fn noise_in_a_profile_is_refused() {
+    let folder = Folder::new();
+    let mut state = 1u64;
+    let mut noise = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        1e-7 * ((state >> 11) as f64 / (1u64 << 53) as f64 - 0.5)
+    };
+    let heights: Vec<String> = (0..500).map(|_| format!("{:e}", noise())).collect();
+    folder.write("noise.txt", heights.join("\n"));
+    for cutoff in ["4um", "8um", "16um", "32um", "64um"] {
+        let output =
+            folder.run(&format!("characterize noise.txt --pixel 1um --unit m --cutoff {cutoff} --json -q"));
+        if output.status.success() {
+            let summits = &json(&output)["summits"];
+            let is_positive = |name: &str| summits[name].as_f64().is_some_and(|value| value > 0.0);
+            assert!(["density", "radius", "std"].into_iter().all(is_positive), "{cutoff}: {summits}");
+        } else {
+            assert!(
+                stderr(&output).contains("no isotropic surface has such profiles"),
+                "{}",
+                stderr(&output)
+            );
+        }
+    }
+}
+
 /// What is no regular file is refused at once: reading a FIFO or /dev/zero would not end.
 #[cfg(unix)]
 #[test]

@@ -31,6 +31,17 @@ pub fn check_regular(path: &Path) -> std::io::Result<()> {
     }
 }
 
+/// What stands for no value, in the type of the variable.
+fn fill_value(variable: &::netcdf::Variable) -> f64 {
+    let (real, single) =
+        (variable.fill_value::<f64>(), || variable.fill_value::<f32>().map(|fill| fill.map(f64::from)));
+    let (whole, short) = (
+        || variable.fill_value::<i32>().map(|fill| fill.map(f64::from)),
+        || variable.fill_value::<i16>().map(|fill| fill.map(f64::from)),
+    );
+    real.or_else(|_| single()).or_else(|_| whole()).or_else(|_| short()).ok().flatten().unwrap_or(FILL_VALUE)
+}
+
 /// Message for a file without a checksum; other programs write topographies, too.
 fn foreign_damage(path: &Path) -> std::io::Result<Option<String>> {
     let mut file = std::fs::File::open(path)?;
@@ -122,19 +133,17 @@ impl DatasetReader {
         f64::try_from(self.file.variable(name)?.attribute_value(attribute)?.ok()?).ok()
     }
 
-    /// Numbers of the expected shape, row-major; NaN for the fill value.
+    /// Numbers of the expected shape, row-major; NaN for the fill value. Packed numbers are those times `scale_factor` plus
+    /// `add_offset` (NetCDF User's Guide, Attribute Conventions).
     pub fn reals(&self, name: &str, shape: &[usize]) -> Result<Vec<f64>, DatasetError> {
         let variable = self.shaped(name, shape)?;
-        let fill = match variable.fill_value::<f64>() {
-            Ok(Some(fill)) => fill,
-            _ => FILL_VALUE,
-        };
+        let stated = |attribute: &str| self.variable_real(name, attribute);
+        let missing = [fill_value(&variable), stated("missing_value").unwrap_or(f64::NAN)];
+        let (scale, offset) = (stated("scale_factor").unwrap_or(1.0), stated("add_offset").unwrap_or(0.0));
         let values = variable.get_values::<f64, _>(..);
         let mut values = values.map_err(|error| self.unreadable("variable", name, &error))?;
         for value in &mut values {
-            if *value == fill {
-                *value = f64::NAN;
-            }
+            *value = if missing.contains(value) { f64::NAN } else { offset + scale * *value };
         }
         Ok(values)
     }

@@ -79,6 +79,39 @@ fn foreign_files_are_named() {
 }
 
 /// The table as written, then changed through the library as any other program could.
+/// Numbers of other programs: of other types, packed, and with fill values of their own.
+#[test]
+fn packed_numbers_and_fill_values_of_any_type_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("packed.nc");
+    let mut file = ::netcdf::create(&path).unwrap();
+    file.add_dimension("x", 3).unwrap();
+    let mut packed = file.add_variable::<i16>("packed", &["x"]).unwrap();
+    packed.put_attribute("scale_factor", 1e-3).unwrap();
+    packed.put_attribute("add_offset", 2.0).unwrap();
+    packed.put_values(&[0i16, 5, -32767], ..).unwrap();
+    let mut single = file.add_variable::<f32>("single", &["x"]).unwrap();
+    single.set_fill_value(-9999f32).unwrap();
+    single.put_values(&[0.5f32, -9999.0, 1.5], ..).unwrap();
+    let mut missing = file.add_variable::<f64>("missing", &["x"]).unwrap();
+    missing.put_attribute("missing_value", -1.0).unwrap();
+    missing.put_values(&[-1.0, 2.0, 3.0], ..).unwrap();
+    file.add_variable::<f32>("unset", &["x"]).unwrap();
+    drop(file);
+    let reader = DatasetReader::open(&path).unwrap();
+    let nan = f64::NAN;
+    for (name, expected) in [
+        ("packed", [2.0, 2.005, nan]),
+        ("single", [0.5, nan, 1.5]),
+        ("missing", [nan, 2.0, 3.0]),
+        ("unset", [nan; 3]),
+    ] {
+        let found = reader.reals(name, &[3]).unwrap();
+        let same = |(one, other): (&f64, &f64)| one == other || one.is_nan() && other.is_nan();
+        assert!(found.iter().zip(&expected).all(same), "{name}: {found:?}");
+    }
+}
+
 fn tampered(change: impl FnOnce(&mut netcdf::FileMut) -> netcdf::Result<()>) -> String {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("table.nc");

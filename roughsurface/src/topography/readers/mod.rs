@@ -47,9 +47,19 @@ pub fn is_topography(file: &Path) -> bool {
     }
     let mut start = Vec::new();
     let read = std::fs::File::open(file).and_then(|opened| opened.take(BEGINNING).read_to_end(&mut start));
-    let text = String::from_utf8_lossy(&start);
-    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
-    read.is_ok() && lines.next().is_some_and(|line| !line.starts_with('['))
+    let text = decode(&start);
+    // Titles may be units in brackets.
+    let section = |line: &str| {
+        let name = line.split('#').next().unwrap_or(line).trim().strip_prefix('[');
+        let name = name.and_then(|name| name.strip_suffix(']'));
+        name.is_some_and(|name| !name.contains('[') && length::unit(name).is_none())
+    };
+    let mut lines = text
+        .trim_start_matches('\u{feff}')
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.is_empty() && !line.starts_with('#'));
+    read.is_ok() && lines.next().is_some_and(|line| !section(line))
 }
 
 /// Reads `file`: GSF (Gwyddion), NetCDF as SurfaceTopography writes it, ISO 25178-72 X3P, ISO 25178-71 SDF, NPY, or text:
@@ -94,6 +104,12 @@ fn without_lengths(reading: &Reading) -> Result<(), String> {
 }
 
 fn check(topography: &mut Topography) -> Result<(), String> {
+    if topography.rows == 1 || topography.columns == 1 {
+        let step = if topography.rows == 1 { topography.column_step } else { topography.row_step };
+        let profile = Topography::profile(step, std::mem::take(&mut topography.heights));
+        let (periodic, remarks) = (topography.periodic, std::mem::take(&mut topography.remarks));
+        *topography = Topography { periodic, remarks, ..profile };
+    }
     let Topography { rows, columns, row_step, column_step, .. } = *topography;
     if columns < FEWEST_POINTS || (rows != 1 && rows < FEWEST_POINTS) {
         return Err(format!(

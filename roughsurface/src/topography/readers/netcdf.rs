@@ -1,5 +1,5 @@
 //! NetCDF as SurfaceTopography writes it: `heights` over (`x`, `y`) or `x`, the extent in the
-//! attribute `length` of the coordinates, the unit in `unit`.
+//! attribute `length` of the coordinates, the unit of each in its attribute `unit` or `units`.
 
 use super::length;
 use super::profile::profile;
@@ -14,18 +14,24 @@ pub(super) fn read(file: &Path) -> Result<Topography, String> {
         "has no variable \"heights\"; NetCDF files must be as SurfaceTopography writes them".to_string()
     })?;
     let mut remarks = Vec::new();
-    let symbol = reader.variable_text("heights", "unit").or_else(|| reader.variable_text("x", "unit"));
-    let metres = |symbol: String| {
-        let rule = || format!("heights:unit = \"{symbol}\": must be a unit of length such as m or um");
-        length::unit(&symbol).ok_or_else(rule)
+    let stated = |name: &str| -> Result<Option<f64>, String> {
+        let attribute = |attribute: &'static str| Some((attribute, reader.variable_text(name, attribute)?));
+        let Some((attribute, symbol)) = attribute("unit").or_else(|| attribute("units")) else {
+            return Ok(None);
+        };
+        let rule = || format!("{name}:{attribute} = \"{symbol}\": must be a unit of length such as m or um");
+        length::unit(&symbol).ok_or_else(rule).map(Some)
     };
-    let unit = Reading::default().unit(symbol.map(metres).transpose()?, &mut remarks);
+    let (of_heights, of_x) = (stated("heights")?, stated("x")?);
+    // Where one of them has no unit it is that of the other.
+    let unit = Reading::default().unit(of_heights.or(of_x), &mut remarks);
+    let unit_along = |name: &str| Ok::<f64, String>(stated(name)?.or(of_x).unwrap_or(unit));
     let heights = heights(&reader, &shape, unit)?;
     let step = |name: &str, points: usize| -> Result<f64, String> {
         let extent = reader.variable_real(name, "length");
         let extent =
             extent.ok_or_else(|| format!("{name}:length: is missing, the extent of the map along {name}"))?;
-        Ok(unit * extent / points as f64)
+        Ok(unit_along(name)? * extent / points as f64)
     };
     let periodic = reader.variable_real("x", "periodic").is_some_and(|flag| flag != 0.0);
     let even = reader.shape("x").is_ok_and(|x| x == shape) && reader.variable_real("x", "length").is_some();
@@ -39,6 +45,7 @@ pub(super) fn read(file: &Path) -> Result<Topography, String> {
         }
         [points] => {
             let x = reader.reals("x", &[points]).map_err(|error| error.to_string())?;
+            let unit = unit_along("x")?;
             profile(&x.iter().map(|x| unit * x).collect::<Vec<f64>>(), &heights, remarks)
         }
         _ => Err(format!("heights has {} dimensions; a map has two, a profile one", shape.len())),

@@ -16,7 +16,12 @@ use tables::numbers::plain;
 
 pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String> {
     // Spreadsheets begin with a byte order mark.
-    let text = &unquoted(text.trim_start_matches('\u{feff}'));
+    let mut text = unquoted(text.trim_start_matches('\u{feff}'));
+    if !text.contains('\n') {
+        // Line ends of old instruments.
+        text = text.replace('\r', "\n");
+    }
+    let text = &text;
     let mut remarks = Vec::new();
     let commas = Commas::of(text.lines().map(|line| without_comment(line).0));
     if commas == Commas::Decimal {
@@ -64,11 +69,13 @@ fn matrix(
         (None, Some((width, height))) => (height / rows as f64, width / columns as f64),
         _ => (reading.pixel()?, reading.pixel()?),
     };
-    let stated = match (header.unit, header.titles.of_matrix()) {
-        (Some(unit), _) | (None, Unit::Metres(unit)) => Some(unit),
-        (None, Unit::Unknown(symbol)) if reading.unit.is_none() => {
-            return Err(unknown_unit("its titles", &symbol));
-        }
+    let (whose, unit) = match &header.unit {
+        Unit::Unstated => ("its titles", header.titles.of_matrix()),
+        stated => ("its header", stated.clone()),
+    };
+    let stated = match unit {
+        Unit::Metres(unit) => Some(unit),
+        Unit::Unknown(symbol) if reading.unit.is_none() => return Err(unknown_unit(whose, &symbol)),
         _ => None,
     };
     if stated.is_some_and(|stated| reading.unit.is_some_and(|given| given != stated)) {
@@ -188,7 +195,7 @@ fn number(word: &str) -> Option<f64> {
 struct Header {
     width: Option<f64>,
     height: Option<f64>,
-    unit: Option<f64>,
+    unit: Unit,
     titles: Titles,
 }
 
@@ -204,7 +211,7 @@ impl Header {
         match key.trim() {
             "Width" => self.width = length::parse(value).ok(),
             "Height" => self.height = length::parse(value).ok(),
-            "Value units" => self.unit = length::unit(value),
+            "Value units" => self.unit = Unit::of(value),
             _ => {}
         }
     }
@@ -212,8 +219,8 @@ impl Header {
     /// Titles and units of the columns; the last one holds the heights.
     fn columns(&self, count: usize) -> Vec<Column> {
         let mut columns = self.titles.columns(count);
-        if let (Some(heights), Some(unit)) = (columns.last_mut(), self.unit) {
-            heights.unit = Unit::Metres(unit);
+        if let Some(heights) = columns.last_mut().filter(|_| self.unit != Unit::Unstated) {
+            heights.unit = self.unit.clone();
         }
         columns
     }

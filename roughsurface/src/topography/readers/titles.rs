@@ -28,7 +28,7 @@ pub(super) enum Unit {
 }
 
 impl Unit {
-    fn of(symbol: &str) -> Self {
+    pub(super) fn of(symbol: &str) -> Self {
         match (length::unit(symbol), symbol.trim()) {
             (Some(metres), _) => Self::Metres(metres),
             (None, "") => Self::Unstated,

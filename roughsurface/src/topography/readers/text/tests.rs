@@ -38,6 +38,20 @@ fn titles_of_columns_may_say_the_unit() {
 }
 
 #[test]
+fn unknown_units_of_a_header_are_refused() {
+    let header = "# Width: 8.0 um\n# Height: 3.0 um\n# Value units: mV\n";
+    let error = read(&format!("{header}1 2 3 4\n5 6 7 8\n")).unwrap_err();
+    assert!(error.contains("its header states no known unit of length: \"mV\""), "{error}");
+}
+
+#[test]
+fn lines_may_end_with_a_carriage_return() {
+    let reading = Reading { unit: Some(1e-6), pixel: Some(2e-6) };
+    let map = parse("1 2 3 4\r5 6 7 8\r", &reading).unwrap();
+    assert_eq!((map.rows, map.columns), (2, 4));
+}
+
+#[test]
 fn matrices_need_a_pixel_or_a_header() {
     let text = "1 2 3 4\n5 6 7 nan\n";
     assert!(read(text).unwrap_err().contains("--pixel"));
