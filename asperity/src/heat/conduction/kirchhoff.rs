@@ -103,7 +103,12 @@ impl StageProblem<'_> {
             // Forcing term: no more accuracy than the next Newton step can use.
             let forcing = (0.1 * tolerance / norm).max((norm / reference).clamp(1e-6, 1e-2));
             let direction = self.conjugate_gradients(&factor, &now, &preconditioned, forcing);
-            now = self.line_search(&now, &direction);
+            let (next, left) = self.line_search(&now, &direction);
+            // The step leaves `forcing` of the residual of a linear stage; what it leaves along itself is not linear.
+            if left.max(forcing) <= reduction {
+                return Ok(next.state);
+            }
+            now = next;
         }
         Err(HeatError::NotConverged { residual: last / first.unwrap_or(1.0) })
     }
@@ -205,8 +210,8 @@ impl StageProblem<'_> {
         Direction { potential, conducted }
     }
 
-    /// Goes along `direction` until the slope of the convex function has fallen by half.
-    fn line_search(&self, now: &Iterate, direction: &Direction) -> Iterate {
+    /// Goes along `direction` until the slope of the convex function has fallen by half; also returns the share of it that is left.
+    fn line_search(&self, now: &Iterate, direction: &Direction) -> (Iterate, f64) {
         let initial = dot(&now.residual, &direction.potential);
         let (mut low, mut low_slope) = (0.0, initial);
         let mut high: Option<(f64, f64)> = None;
@@ -221,7 +226,7 @@ impl StageProblem<'_> {
             let slope = dot(&next.residual, &direction.potential);
             attempt += 1;
             if slope.abs() <= 0.5 * initial.abs() || attempt == 30 {
-                return next;
+                return (next, (slope / initial).abs());
             }
             if slope < 0.0 {
                 high = Some((step, slope));

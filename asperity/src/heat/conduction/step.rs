@@ -13,7 +13,7 @@ use crate::solver::harmonic::HarmonicFactors;
 /// term so far: the one that remains may be zero.
 const FLUX_ITERATIONS: usize = 30;
 const FLUX_TOLERANCE: f64 = 1e-7;
-/// Reduction of the residual in the solution for a further flux, which starts from that for the flux before.
+/// Reduction of the residual in the solution for a flux, from which that for the next flux starts.
 const REDUCTION: f64 = 1e-2;
 
 /// M + γΔt K.
@@ -154,8 +154,8 @@ impl Step<'_> {
         for _ in 0..FLUX_ITERATIONS {
             let heat = Drawn::new(self.heat, disc, flux, at_start);
             let start = before.as_ref().map_or(guess, |(.., stage)| stage);
-            let reduction = if before.is_some() { REDUCTION } else { 0.0 };
-            let solved = solver.solve(&Step { heat: &heat, ..*self }, rhs, start, reduction)?;
+            let step = Step { heat: &heat, ..*self };
+            let solved = solver.solve(&step, rhs, start, REDUCTION)?;
             let rise = disc.profile_of_values(|point| rise_of(&solved.rise, point));
             let generated = frictional(&solved.rise);
             let taken = heat.flux(generated);
@@ -167,7 +167,9 @@ impl Step<'_> {
             largest = terms.iter().map(Profile::amax).fold(largest, f64::max);
             residual = difference.amax() / largest;
             if residual <= FLUX_TOLERANCE {
-                return Ok(solved);
+                // The change from the flux before was small, so that little of it is left.
+                let is_solved = before.is_some();
+                return if is_solved { Ok(solved) } else { solver.solve(&step, rhs, &solved, 0.0) };
             }
             if let Some((other, its_difference, _)) = before {
                 facing.learn(flux - other, difference - its_difference);
