@@ -39,11 +39,16 @@ impl PointRange {
         if spacing == Spacing::Log && from <= 0.0 {
             return Err(format!("from = {from:?} must be positive if spacing = \"log\""));
         }
-        let by_decade = || 1 + ((POINTS_PER_DECADE * (to / from).log10()).ceil() as usize).max(1);
-        let usual = if spacing == Spacing::Log { by_decade() } else { LINEAR_POINTS };
+        let intervals = || ((POINTS_PER_DECADE * (to.log10() - from.log10())).ceil() as usize).max(1);
+        let usual = if spacing == Spacing::Log { 1 + intervals() } else { LINEAR_POINTS };
         let points = points.unwrap_or(usual);
         if !(2..=MOST_POINTS).contains(&points) {
-            return Err(format!("points = {points} must be a number from 2 to {MOST_POINTS}"));
+            return Err(match self.points {
+                Some(points) => format!("points = {points} must be a number from 2 to {MOST_POINTS}"),
+                None => format!(
+                    "from {from:e} to {to:e} are too many points; give a number of points up to {MOST_POINTS}"
+                ),
+            });
         }
         Ok(Values(spacing.range(from, to, points)))
     }
