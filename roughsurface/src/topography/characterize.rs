@@ -150,15 +150,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
 
     let (shortest, longest) = cutoffs(&topography);
     if cutoff < shortest || cutoff > longest {
-        return Err(match options.cutoff {
-            Some(cutoff) => refused_cutoff(cutoff, (shortest, longest), &warnings),
-            None => format!(
-                "the default cut-off, the reliability limit of {} m ({limited_by}), is longer than a quarter of the extent, {} m: \
-                 measure more points, or give a --cutoff",
-                plain(cutoff),
-                plain(longest)
-            ),
-        });
+        return Err(refused_cutoff((options.cutoff, cutoff), (shortest, longest), &warnings));
     }
     let moments_at = |cutoff: f64| Moments::of(&topography, options.window, cutoff);
     let moments = moments_at(cutoff);
@@ -227,14 +219,24 @@ pub(super) fn summits_of(moments: &Isotropic) -> Result<Nayak, String> {
 }
 
 /// Why a cut-off is refused; and where metres were assumed, how to change that.
-fn refused_cutoff(cutoff: f64, (shortest, longest): (f64, f64), warnings: &[Warning]) -> String {
+fn refused_cutoff(
+    (asked, cutoff): (Option<f64>, f64),
+    (shortest, longest): (f64, f64),
+    warnings: &[Warning],
+) -> String {
+    let [cutoff, shortest, longest] = [cutoff, shortest, longest].map(plain);
+    if asked.is_none() {
+        return format!(
+            "the default cut-off, the reliability limit of {cutoff} m, is longer than a quarter of the extent, {longest} m: measure \
+             more points, or give a --cutoff"
+        );
+    }
     let is_unit_assumed =
         |warning: &Warning| matches!(warning, Warning::NoUnit | Warning::Micrometres { .. });
     let assumed = match warnings.iter().any(is_unit_assumed) {
         true => format!("; the file states no unit, metres are assumed: {UNIT_REMEDY}"),
         false => String::new(),
     };
-    let [cutoff, shortest, longest] = [cutoff, shortest, longest].map(plain);
     format!(
         "cutoff = {cutoff} m: must lie between two points, {shortest} m, and a quarter of the extent, {longest} m{assumed}"
     )
