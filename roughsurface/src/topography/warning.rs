@@ -108,7 +108,7 @@ pub enum Warning {
     ParallelLays { density: f64, radius: f64 },
     #[error(
         "summit heights have skewness {skewness:.2} and kurtosis {kurtosis:.2}, a Gaussian distribution 0 and 3; \
-         of one face --summits found writes those that were found"
+         of one face `roughsurface characterize --summits found` writes those that were found"
     )]
     NotGaussian { skewness: f64, kurtosis: f64 },
 }
