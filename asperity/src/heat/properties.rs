@@ -63,6 +63,7 @@ impl ThermalProperties {
         1.0 / self.state(potential).capacity
     }
 
+    /// Rise, enthalpy and capacity at a potential, from one search on the common knots.
     pub fn state(&self, potential: f64) -> ThermalState {
         let place = self.conductivity.place_of_integral(potential);
         let (conductivity, _) = self.conductivity.at(&place);

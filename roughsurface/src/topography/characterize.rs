@@ -205,8 +205,8 @@ pub(super) fn summits_of(moments: &Isotropic) -> Result<Nayak, String> {
     }
     if [m0, m2, m4].iter().any(|moment| *moment < 0.0) {
         return Err(format!(
-            "no isotropic surface has such profiles: its moments would be m0 = {m0:.2e} m2, m2 = {m2:.2e}, m4 = {m4:.2e} 1/m2; \
-             noise, or another cut-off: try a longer --cutoff, or measure a map"
+            "no isotropic surface has the estimated moments m0 = {m0:.2e} m2, m2 = {m2:.2e}, m4 = {m4:.2e} 1/m2: the heights are \
+             mostly noise at this cut-off; give another --cutoff, or measure a map in place of a profile"
         ));
     }
     Nayak::of(moments).ok_or_else(|| {

@@ -41,9 +41,9 @@ impl Window {
     /// Number of independent waves over that without a window: 1/⟨w⁴⟩ for each direction, ⟨w²⟩ = 1.
     fn independent(self, topography: &Topography) -> f64 {
         let hann = 18.0f64 / 35.0;
-        match !self.continues(topography) {
-            true => hann.powi(if topography.is_profile() { 1 } else { 2 }),
-            false => 1.0,
+        match self.continues(topography) {
+            true => 1.0,
+            false => hann.powi(if topography.is_profile() { 1 } else { 2 }),
         }
     }
 }

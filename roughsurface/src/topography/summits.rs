@@ -148,6 +148,10 @@ mod tests {
         let (map, q, a) = egg_box(128, 4);
         let found = find(&map, Window::Hann, map.pixel() * 4.0);
         assert_eq!(found.count, 2 * 4 * 4);
+        // A map that ends is taken to continue without a window.
+        let ending = Topography { periodic: false, ..map.clone() };
+        assert_eq!(find(&ending, Window::None, map.pixel() * 4.0).count, found.count);
+        assert!(find(&ending, Window::Hann, map.pixel() * 4.0).count < found.count);
         let left = transmission(q * 2f64.sqrt(), map.pixel() * 4.0);
         assert!((found.mean / (a * left) - 1.0).abs() < 1e-6, "{:e}", found.mean);
         assert!((found.radius * a * left * q * q - 1.0).abs() < 1e-6);

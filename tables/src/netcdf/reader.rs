@@ -3,6 +3,7 @@
 use std::io::Read;
 use std::path::Path;
 
+use ::netcdf::types::NcTypeDescriptor;
 use ::netcdf::{AttributeValue, Dimension};
 use parking_lot::ReentrantMutexGuard;
 
@@ -31,15 +32,13 @@ pub fn check_regular(path: &Path) -> std::io::Result<()> {
     }
 }
 
-/// What stands for no value, in the type of the variable.
+/// What stands for no value where no attribute states it, in the type of the variable.
 fn fill_value(variable: &::netcdf::Variable) -> f64 {
-    let (real, single) =
-        (variable.fill_value::<f64>(), || variable.fill_value::<f32>().map(|fill| fill.map(f64::from)));
-    let (whole, short) = (
-        || variable.fill_value::<i32>().map(|fill| fill.map(f64::from)),
-        || variable.fill_value::<i16>().map(|fill| fill.map(f64::from)),
-    );
-    real.or_else(|_| single()).or_else(|_| whole()).or_else(|_| short()).ok().flatten().unwrap_or(FILL_VALUE)
+    fn of<T: NcTypeDescriptor + Copy + Into<f64>>(variable: &::netcdf::Variable) -> Option<f64> {
+        variable.fill_value::<T>().ok().flatten().map(T::into)
+    }
+    let real = of::<f64>(variable).or_else(|| of::<f32>(variable));
+    real.or_else(|| of::<i32>(variable)).or_else(|| of::<i16>(variable)).unwrap_or(FILL_VALUE)
 }
 
 /// Message for a file without a checksum; other programs write topographies, too.
@@ -138,7 +137,8 @@ impl DatasetReader {
     pub fn reals(&self, name: &str, shape: &[usize]) -> Result<Vec<f64>, DatasetError> {
         let variable = self.shaped(name, shape)?;
         let stated = |attribute: &str| self.variable_real(name, attribute);
-        let missing = [fill_value(&variable), stated("missing_value").unwrap_or(f64::NAN)];
+        let fill = stated("_FillValue").unwrap_or_else(|| fill_value(&variable));
+        let missing = [fill, stated("missing_value").unwrap_or(f64::NAN)];
         let (scale, offset) = (stated("scale_factor").unwrap_or(1.0), stated("add_offset").unwrap_or(0.0));
         let values = variable.get_values::<f64, _>(..);
         let mut values = values.map_err(|error| self.unreadable("variable", name, &error))?;

@@ -78,7 +78,6 @@ fn foreign_files_are_named() {
     assert!(!foreign.contains('\n'));
 }
 
-/// The table as written, then changed through the library as any other program could.
 /// Numbers of other programs: of other types, packed, and with fill values of their own.
 #[test]
 fn packed_numbers_and_fill_values_of_any_type_are_read() {
@@ -112,6 +111,7 @@ fn packed_numbers_and_fill_values_of_any_type_are_read() {
     }
 }
 
+/// The table as written, then changed through the library as any other program could.
 fn tampered(change: impl FnOnce(&mut netcdf::FileMut) -> netcdf::Result<()>) -> String {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("table.nc");

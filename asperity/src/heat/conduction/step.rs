@@ -52,7 +52,6 @@ pub(super) struct Step<'a> {
 }
 
 /// Temperatures at the nodes, as at the end of a stage.
-#[derive(Clone)]
 pub struct HeatState {
     /// Θ, K.
     pub(super) potential: Vec<f64>,
@@ -81,7 +80,7 @@ pub(super) struct Integrated {
 /// Solves the stages of a step: M H(Θ) + γΔt K Θ = rhs + γΔt q(θ).
 pub(super) trait StageSolver {
     /// `guess`: temperatures to start from; `reduction`: of its residual that is enough, where a solution with another heat
-    /// flow follows.
+    /// flow follows, 0 where none does.
     fn solve(
         &mut self,
         step: &Step<'_>,
@@ -167,9 +166,11 @@ impl Step<'_> {
             largest = terms.iter().map(Profile::amax).fold(largest, f64::max);
             residual = difference.amax() / largest;
             if residual <= FLUX_TOLERANCE {
-                // The change from the flux before was small, so that little of it is left.
-                let is_solved = before.is_some();
-                return if is_solved { Ok(solved) } else { solver.solve(&step, rhs, &solved, 0.0) };
+                // After a small change of the flux little of its residual is left; after the first flux it may be more.
+                return match before {
+                    Some(_) => Ok(solved),
+                    None => solver.solve(&step, rhs, &solved, 0.0),
+                };
             }
             if let Some((other, its_difference, _)) = before {
                 facing.learn(flux - other, difference - its_difference);

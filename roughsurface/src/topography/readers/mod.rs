@@ -104,11 +104,13 @@ fn without_lengths(reading: &Reading) -> Result<(), String> {
 }
 
 fn check(topography: &mut Topography) -> Result<(), String> {
-    if topography.rows == 1 || topography.columns == 1 {
-        let step = if topography.rows == 1 { topography.column_step } else { topography.row_step };
-        let profile = Topography::profile(step, std::mem::take(&mut topography.heights));
-        let (periodic, remarks) = (topography.periodic, std::mem::take(&mut topography.remarks));
-        *topography = Topography { periodic, remarks, ..profile };
+    if topography.columns == 1 {
+        (topography.rows, topography.columns) = (1, topography.rows);
+        topography.column_step = topography.row_step;
+    }
+    if topography.rows == 1 {
+        // Files may have none, as it has no meaning.
+        topography.row_step = topography.column_step;
     }
     let Topography { rows, columns, row_step, column_step, .. } = *topography;
     if columns < FEWEST_POINTS || (rows != 1 && rows < FEWEST_POINTS) {
