@@ -112,8 +112,8 @@ fn threads_interruptions_and_shards_change_nothing() {
     for (text, cells, failed) in [(FIVE_ROWS, 15, 5), (TEMPERATURES, 24, 12)] {
         let one = whole(text, &fake(), 1);
         assert_eq!((cells_run(&one), one.failures().count()), (cells, failed));
-        // More threads than cells are divided among these.
-        for (jobs, threads) in [(2, 1), (5, 1), (cells + 1, 2), (3 * cells, 3)] {
+        // More threads than cells are divided among these, here equally: a pool may get no cell.
+        for (jobs, threads) in [(2, 1), (5, 1), (2 * cells, 2), (3 * cells, 3)] {
             let fake = fake();
             assert_eq!(one, whole(text, &fake, jobs));
             assert_eq!(fake.threads.load(Ordering::Relaxed), threads);
@@ -151,6 +151,20 @@ fn threads_interruptions_and_shards_change_nothing() {
             assert_eq!(merged, undivided, "{count}");
             assert_eq!(merged.checksum(), undivided.checksum(), "{count}");
         }
+    }
+}
+
+/// Every thread is in one pool, and no pool has two threads more than another.
+#[test]
+fn threads_are_divided_among_cells() {
+    for (jobs, cells, threads) in
+        [(1, 0, &[1][..]), (2, 5, &[1, 1]), (5, 4, &[2, 1, 1, 1]), (8, 3, &[3, 3, 2])]
+    {
+        let pools = pools(jobs, cells).unwrap();
+        assert!(
+            pools.iter().map(ThreadPool::current_num_threads).eq(threads.iter().copied()),
+            "{jobs} {cells}"
+        );
     }
 }
 
