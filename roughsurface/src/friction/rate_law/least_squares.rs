@@ -125,36 +125,54 @@ impl Form {
     }
 }
 
-/// The best point of a grid of velocities and exponents.
-fn start(form: &Form, curve: &Curve) -> Parameters {
+/// Points of a grid of velocities and exponents that fit better than their neighbours of the same exponent. A steep form may
+/// have a least square between any two slip rates.
+fn starts(form: &Form, curve: &Curve) -> Vec<Parameters> {
     const VELOCITIES: usize = 60;
     let (slowest, fastest) = (curve.points[0].0, curve.points[curve.len() - 1].0);
     // Without a plateau, weakening of 1 % at the exponent 1/2 has V* = 1e4 V.
     let span = if form.has_plateau { fastest } else { 1e5 * fastest } / slowest;
-    let at = |i: usize| slowest.ln() + span.ln() * i as f64 / (VELOCITIES - 1) as f64;
     let exponents = form.exponent.map_or(vec![0.3, 0.5, 0.8, 1.2, 2.0], |exponent| vec![exponent]);
-    let places = exponents.iter().flat_map(|n| (0..VELOCITIES).map(move |i| (at(i), *n)));
-    let candidates = places.map(|(ln_velocity, exponent)| {
-        let mut place = [0.0, ln_velocity, exponent, 0.0];
-        form.fit_friction(&mut place, curve);
-        (form.residuals(&place, curve).0.norm_squared(), place)
-    });
-    candidates.min_by(|one, other| one.0.total_cmp(&other.0)).expect("the grid is not empty").1
+    let mut starts = Vec::new();
+    for exponent in exponents {
+        let candidate = |i: usize| {
+            let ln_velocity = slowest.ln() + span.ln() * i as f64 / (VELOCITIES - 1) as f64;
+            let mut place = [0.0, ln_velocity, exponent, 0.0];
+            form.fit_friction(&mut place, curve);
+            (form.residuals(&place, curve).0.norm_squared(), place)
+        };
+        let candidates: Vec<(f64, Parameters)> = (0..VELOCITIES).map(candidate).collect();
+        for (i, (squares, place)) in candidates.iter().enumerate() {
+            let neighbours = &candidates[i.saturating_sub(1)..(i + 2).min(VELOCITIES)];
+            if neighbours.iter().all(|(others, _)| squares <= others) {
+                starts.push(*place);
+            }
+        }
+    }
+    starts
 }
+
+/// A fit with its residuals and, by fitted parameter, their derivatives.
+type Minimum = (Parameters, DVector<f64>, DMatrix<f64>);
 
 /// The least squares of `form`.
 pub(super) fn minimise(form: &'static Form, curve: &Curve) -> Result<RateLaw, NoFit> {
-    let (place, residuals, jacobian) = descend(form, curve, start(form, curve));
+    let minima: Vec<Minimum> =
+        starts(form, curve).into_iter().map(|start| descend(form, curve, start)).collect();
+    let squares = |minimum: &Minimum| minimum.1.norm_squared();
+    let least = minima.iter().min_by(|one, other| squares(one).total_cmp(&squares(other)));
+    let least = least.expect("a grid has a least value");
+    let (place, residuals, _) = least;
     // Where friction rises, the best falling law is a constant.
     let explains = residuals.norm_squared() < (1.0 - TOLERANCE) * curve.variance();
     match explains && place[MU_0] > place[PLATEAU] && place[EXPONENT] > 0.0 {
-        true => law(form, curve, place, &residuals, jacobian).ok_or(NoFit::Undetermined(f64::INFINITY)),
+        true => law(form, curve, least, &minima).ok_or(NoFit::Undetermined(f64::INFINITY)),
         false => Err(NoFit::NoWeakening),
     }
 }
 
 /// From a place to the least squares, with residuals and Jacobian there.
-fn descend(form: &Form, curve: &Curve, mut place: Parameters) -> (Parameters, DVector<f64>, DMatrix<f64>) {
+fn descend(form: &Form, curve: &Curve, mut place: Parameters) -> Minimum {
     const MOST_STEPS: usize = 300;
     let (mut residuals, mut jacobian) = form.residuals(&place, curve);
     let mut damping = 1e-3;
@@ -183,16 +201,18 @@ fn descend(form: &Form, curve: &Curve, mut place: Parameters) -> (Parameters, DV
     (place, residuals, jacobian)
 }
 
-/// Largest change of each parameter where a third of the slip rates is left out and a plateau is still seen.
-fn spread(form: &Form, curve: &Curve, whole: Parameters) -> Parameters {
+/// Largest change of each parameter to the other minima that fit as well, and where a third of the slip rates is left out and
+/// a plateau is still seen.
+fn spread(form: &Form, curve: &Curve, whole: Parameters, equal: &[Parameters]) -> Parameters {
     let mut spread = [0.0; 4];
     let seen = |part: &Curve| {
         let above = part.rates().filter(|rate| rate.ln() > whole[LN_VELOCITY]).count();
         part.len() >= form.parameters() && (!form.has_plateau || (above >= 2 && above < part.len()))
     };
-    for part in curve.parts().iter().filter(|part| seen(part)) {
-        let of_part = descend(form, part, whole).0;
-        for (largest, (one, other)) in spread.iter_mut().zip(of_part.into_iter().zip(whole)) {
+    let parts = curve.parts();
+    let of_parts = parts.iter().filter(|part| seen(part)).map(|part| descend(form, part, whole).0);
+    for other in of_parts.chain(equal.iter().copied()) {
+        for (largest, (one, other)) in spread.iter_mut().zip(other.into_iter().zip(whole)) {
             *largest = f64::max(*largest, (one - other).abs());
         }
     }
@@ -213,14 +233,9 @@ pub(crate) fn student_t(freedom: f64) -> f64 {
     (freedom * (1.0 - x) / x).sqrt()
 }
 
-/// The law with its errors; none where the Jacobian has no full rank.
-fn law(
-    form: &'static Form,
-    curve: &Curve,
-    place: Parameters,
-    residuals: &DVector<f64>,
-    mut jacobian: DMatrix<f64>,
-) -> Option<RateLaw> {
+/// The law of the least of the `minima` with its errors; none where its Jacobian has no full rank.
+fn law(form: &'static Form, curve: &Curve, least: &Minimum, minima: &[Minimum]) -> Option<RateLaw> {
+    let (place, residuals, mut jacobian) = least.clone();
     let (count, parameters) = (curve.len(), form.parameters());
     let lengths: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
     if !lengths.iter().all(|length| length.is_normal()) {
@@ -236,7 +251,12 @@ fn law(
     let squares = residuals.norm_squared();
     let variance = squares / count.saturating_sub(parameters) as f64;
     let errors = DVector::from_iterator(count, curve.points.iter().map(|(_, mu)| mu.error));
-    let (spread, student_t) = (spread(form, curve, place), student_t(count as f64 - parameters as f64));
+    let student_t = student_t(count as f64 - parameters as f64);
+    // Parameters within the region of likelihood, S <= S_min (1 + t²/(N − k)) (Bates & Watts 1988, Nonlinear Regression
+    // Analysis and Its Applications, doi 10.1002/9780470316757, section 6.1).
+    let most = squares + student_t.powi(2) * variance;
+    let equal = minima.iter().filter(|minimum| minimum.1.norm_squared() <= most).map(|minimum| minimum.0);
+    let spread = spread(form, curve, place, &equal.collect::<Vec<_>>());
     let estimate = |parameter: usize| {
         let column = form.fitted().iter().position(|fitted| *fitted == parameter);
         // A curve through as many points as it has parameters has no scatter, and unknown errors.

@@ -155,6 +155,46 @@ fn flash_heating_comes_back_from_its_curve_and_is_flagged_elsewhere() {
     assert!(matches!(laws.flash_heating.unwrap().doubt(), Some(Doubt::Misfit)));
 }
 
+/// Least sum of squares of the form of rupture codes over a fine scan of V_w, with both friction coefficients from the normal
+/// equations.
+fn scan(rates: &[f64], mu: &[Estimate]) -> (f64, f64) {
+    let squares = |velocity: f64| {
+        let shares: Vec<f64> =
+            rates.iter().map(|rate| (1.0 + (rate / velocity).powi(8)).powf(-0.125)).collect();
+        let mean = |of: &dyn Fn(usize) -> f64| (0..rates.len()).map(of).sum::<f64>() / rates.len() as f64;
+        let (share, friction) = (mean(&|i| shares[i]), mean(&|i| mu[i].value));
+        let slope = mean(&|i| (shares[i] - share) * (mu[i].value - friction))
+            / mean(&|i| (shares[i] - share).powi(2));
+        mean(&|i| (mu[i].value - friction - slope * (shares[i] - share)).powi(2))
+    };
+    let velocities = Log.range(rates[0], rates[rates.len() - 1], 4001);
+    let values = velocities.iter().map(|velocity| (squares(*velocity), *velocity));
+    values.min_by(|one, other| one.0.total_cmp(&other.0)).unwrap()
+}
+
+/// Smooth weakening has two onsets, a factor of two apart, that fit about as well.
+#[test]
+fn the_best_of_several_minima_is_found_and_errors_reach_those_that_fit_as_well() {
+    let rates = Log.range(2e-4, 2.0, 10);
+    let mut onsets = Vec::new();
+    for velocity in [1.4, 1.6, 1.8, 1.83, 1.86, 1.89, 2.0, 2.2] {
+        let mu = exact(&rates, |rate| 0.6 / (1.0 + rate / velocity));
+        let law = choose(&rates, &mu).flash_heating.unwrap();
+        let (squares, onset) = scan(&rates, &mu);
+        assert!((law.velocity.value / onset - 1.0).abs() < 2e-3, "{law:?} {onset}");
+        assert!(law.misfit <= squares.sqrt(), "{law:?} {squares}");
+        onsets.push(law.velocity);
+    }
+    let (first, last) = (onsets[0], onsets[7]);
+    assert!(last.value > 2.0 * first.value, "{onsets:?}");
+    // Where both fit to within 3 %, the error of either reaches the other.
+    for onset in &onsets[2..6] {
+        let other = if onset.value < 0.3 { 0.42 } else { 0.225 };
+        // Of ln V_w, to first order.
+        assert!((other / onset.value).ln().abs() < 1.1 * onset.error / onset.value, "{onset:?}");
+    }
+}
+
 #[test]
 fn errors_cover_the_parameters_of_other_ranges_where_the_form_is_another() {
     // Exponential weakening is none of the forms: the law of one range of slip rates is not that of another.
