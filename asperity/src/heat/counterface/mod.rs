@@ -55,19 +55,26 @@ const SAME_DIFFUSIVITY: f64 = 1e-3;
 /// Share of an increment over which the flux is that of its first stage, see [`HalfSpace::step`].
 const FIRST_PART: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// A time, multiplied by κ/κ₀ where it varies, and the displacement of the half-space at it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// A time, multiplied by κ/κ₀ where it varies, and the displacement of the half-space at it; both since the end of the
+/// increments before, so that a short increment after a long one has its length.
+#[derive(Clone, Copy, Debug)]
 struct Moment {
     time: f64,
     slip: f64,
 }
 
 impl Moment {
-    fn towards(self, other: Self, share: f64) -> Self {
-        Self {
-            time: self.time + share * (other.time - self.time),
-            slip: self.slip + share * (other.slip - self.slip),
-        }
+    /// End of the increments before.
+    const NOW: Self = Self { time: 0.0, slip: 0.0 };
+
+    /// At a share of the way from now.
+    fn at(self, share: f64) -> Self {
+        Self { time: share * self.time, slip: share * self.slip }
+    }
+
+    /// As seen from `now`.
+    fn since(self, now: Self) -> Self {
+        Self { time: self.time - now.time, slip: self.slip - now.slip }
     }
 }
 
@@ -96,7 +103,6 @@ pub struct HalfSpace {
     expansion: f64,
     /// None where specific heat and conductivity are constant.
     varying: Option<ThermalProperties>,
-    now: Moment,
     /// Mean potential over the contact at the end of the increments before.
     potential: f64,
     history: Vec<Interval>,
@@ -143,7 +149,7 @@ pub struct StepResponse {
     dt: f64,
     /// Mean κ/κ₀ in the increment.
     diffusivity: f64,
-    from: Moment,
+    /// End of the increment.
     to: Moment,
 }
 
@@ -169,7 +175,6 @@ impl HalfSpace {
             share: 0.5,
             expansion: 0.0,
             varying: None,
-            now: Moment::default(),
             potential: 0.0,
             history: Vec::new(),
             trial: None,
@@ -232,26 +237,26 @@ impl HalfSpace {
     /// and γ: the flux of the first stage acts for the first 1/√2 of the increment, that of the second for the rest.
     /// The response at the end of a stage to its own flux is that to a flux during γ in both.
     pub fn step(&self, dt: f64, slip: f64, radius: f64) -> StepResponse {
-        let (from, diffusivity) = (self.now, self.diffusivity());
-        let to = Moment { time: from.time + diffusivity * dt, slip: from.slip + slip };
+        let diffusivity = self.diffusivity();
+        let to = Moment { time: diffusivity * dt, slip };
         let is_same = |tried: &StepResponse| {
-            (tried.from, tried.dt, tried.to.slip) == (from, dt, to.slip)
+            (tried.dt, tried.to.slip) == (dt, to.slip)
                 && (tried.diffusivity / diffusivity - 1.0).abs() <= SAME_DIFFUSIVITY
                 && (tried.radius / radius - 1.0).abs() <= SAME_RADIUS
         };
         if let Some((tried, _)) = self.trial.filter(|(tried, _)| is_same(tried)) {
             return tried;
         }
-        let stage = from.towards(to, 1.0 - FIRST_PART);
+        let stage = to.at(1.0 - FIRST_PART);
         let contact = Disc { radius, downstream: 0.0, panel: radius / PANELS_PER_RADIUS };
         let free = [stage, to].map(|at| self.history.iter().map(|heat| self.rise(heat, at, contact)).sum());
         let response = |until: Moment, at: Moment| {
-            let heat = Interval { from, to: until, flux: Profile::zeros(), radius };
+            let heat = Interval { from: Moment::NOW, to: until, flux: Profile::zeros(), radius };
             self.response(&heat, at, contact)
         };
-        let first = response(from.towards(to, FIRST_PART), to);
+        let first = response(to.at(FIRST_PART), to);
         let own = response(stage, stage);
-        StepResponse { free, first, own, radius, dt, diffusivity, from, to }
+        StepResponse { free, first, own, radius, dt, diffusivity, to }
     }
 
     /// Profile of the height of the surface over the contact at the end of the increment tried last; nothing where it does not
@@ -281,7 +286,9 @@ impl HalfSpace {
         if let Some(trial) = self.trial.take() {
             self.potential = trial.0.potential(&trial.1);
             self.history.extend(parts(&trial).into_iter().filter(|part| part.flux != Profile::zeros()));
-            self.now = trial.0.to;
+            for heat in &mut self.history {
+                (heat.from, heat.to) = (heat.from.since(trial.0.to), heat.to.since(trial.0.to));
+            }
         }
     }
 
@@ -291,7 +298,7 @@ impl HalfSpace {
             let from_edge = 1.0 - f64::from(place.abs()) / f64::from(PLACES);
             let downstream = f64::from(place.signum()) * (1.0 - from_edge * from_edge) * radius;
             let point = Disc { radius: POINT * radius, downstream, panel: radius / PANELS_AT_A_POINT };
-            self.rise_at(self.history.iter().map(|heat| self.rise(heat, self.now, point).x).sum())
+            self.rise_at(self.history.iter().map(|heat| self.rise(heat, Moment::NOW, point).x).sum())
         };
         // On both sides: after a reversal the hotter one may be upstream.
         (-PLACES..=PLACES).map(rise).fold(0.0, f64::max)
@@ -357,10 +364,13 @@ impl HalfSpace {
 
 /// The two parts of an increment with their fluxes, see [`HalfSpace::step`].
 fn parts(
-    &(StepResponse { from, to, radius, .. }, [first, second]): &(StepResponse, [Profile; 2]),
+    &(StepResponse { to, radius, .. }, [first, second]): &(StepResponse, [Profile; 2]),
 ) -> [Interval; 2] {
-    let middle = from.towards(to, FIRST_PART);
-    [Interval { from, to: middle, flux: first, radius }, Interval { from: middle, to, flux: second, radius }]
+    let middle = to.at(FIRST_PART);
+    [
+        Interval { from: Moment::NOW, to: middle, flux: first, radius },
+        Interval { from: middle, to, flux: second, radius },
+    ]
 }
 
 #[cfg(test)]

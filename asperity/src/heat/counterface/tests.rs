@@ -44,6 +44,28 @@ fn the_highest_rise_is_found_downstream_in_either_direction() {
     }
 }
 
+/// What a half-space took up long ago neither warms it nor changes its response, also where the time since is beyond the
+/// increment in the last digit.
+#[test]
+fn a_short_increment_after_a_long_hold_is_as_the_first_one() {
+    let after = |hold: f64| {
+        let mut half_space = HalfSpace::new(1.0, 1.0);
+        heat(&mut half_space, 1e-3, 0.1, 1.0);
+        heat(&mut half_space, hold, 0.0, 0.0);
+        half_space.step(1e-6, 1e-7, 1.0)
+    };
+    let first = HalfSpace::new(1.0, 1.0).step(1e-6, 1e-7, 1.0);
+    for hold in [1e6, 1e12, 1e18] {
+        let step = after(hold);
+        assert_eq!(step.own, first.own);
+        assert_eq!(step.first, first.first);
+        // Heat of a point source, 2Q/(e (4π t)^(3/2)) with Q = π·1e-3: smaller still with the time.
+        assert!(step.free[0].x.abs() < 2.0 * hold.powf(-1.5), "{hold} {}", step.free[0]);
+    }
+    let near = after(1e6).free[0].x * 1e9 * 4.0 * std::f64::consts::PI.sqrt() / 1e-3;
+    assert!((near - 1.0).abs() < 1e-3, "{near}");
+}
+
 /// Uniform heat on the unit disc of a half-space with (1 + ν)α = 1 and κ = k = 1: at first the surface rises by 2qt and, of a
 /// moving body, by 2q over the time that has passed since it entered the disc, on average 8/(3πV) and by 1/V per radius; at
 /// last the curvature is that of steady heat, w = w₀ − qr²/4 (J. R. Barber 1972).
@@ -51,12 +73,13 @@ fn the_highest_rise_is_found_downstream_in_either_direction() {
 fn the_surface_rises_with_the_heat_below_it() {
     let raised = |speed: f64, time: f64| {
         let mut half_space = HalfSpace::new(1.0, 1.0).with_expansion(1.0);
-        let mut dt = time / 1e4;
-        while half_space.now.time + dt < time {
+        let (mut now, mut dt) = (0.0, time / 1e4);
+        while now + dt < time {
             heat(&mut half_space, dt, speed * dt, 1.0);
+            now += dt;
             dt *= 1.2;
         }
-        dt = time - half_space.now.time;
+        dt = time - now;
         let step = half_space.step(dt, speed * dt, 1.0);
         half_space.try_fluxes(step, [Profile::new(1.0, 0.0, 0.0); 2]);
         half_space.height_tried().unwrap()
