@@ -115,6 +115,16 @@ impl Rate {
             }
         }
     }
+
+    /// Derivative of the logarithm of the factor with respect to that of the strain rate (1/s).
+    pub fn sensitivity(&self, strain_rate: f64) -> f64 {
+        match self {
+            Self::JohnsonCook { coefficient, reference } if strain_rate > *reference => {
+                coefficient / self.factor(strain_rate)
+            }
+            _ => 0.0,
+        }
+    }
 }
 
 /// Where the shear fracture energy of a material comes from: keys of its section.

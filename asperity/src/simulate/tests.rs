@@ -137,8 +137,8 @@ fn a_contact_does_not_creep_in_a_long_hold() {
     assert!(change.abs() < 1e-3, "{change}");
 }
 
-/// As the flat stops, an interface that depends on the slip rate loses strength at once. The heat of that slip enters over
-/// the time of a shear wave, not over an increment that may be as short as one likes.
+/// As the flat stops, an interface that depends on the slip rate loses strength no faster than the contact slips on, and that is
+/// slower than before.
 #[test]
 fn a_contact_that_relaxes_does_not_heat_up() {
     let rate = "material.rate={ law = \"johnson-cook\", coefficient = 0.014, reference = 1.0 }";

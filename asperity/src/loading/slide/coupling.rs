@@ -7,7 +7,7 @@ use super::edge_search::EdgeSearch;
 use super::friction_heat::HeatSources;
 use super::increments::Predictor;
 use super::shear_limits::{interface_hardening, shear_limits, shear_strength};
-use super::{Slide, SlideFailure};
+use super::{Advance, Slide, SlideFailure};
 use crate::discretisation::body::Body;
 use crate::heat::conduction::{Conduction, HeatBalance, HeatError};
 use crate::interface::contact::{Contact, FlatPosition};
@@ -29,9 +29,10 @@ const MOST_UPDATES: usize = 24;
 const ELEVATIONS: usize = 3;
 /// Frictional power of the last update over that of the solution, above which the heat is that of the solution.
 const EXCESS_HEAT: f64 = 1.1;
-/// Updates in a row that do not reduce the smallest change so far, after which the shear limits are held: points at the
-/// edge touch and lift off in turn. Converging updates leave 0.1 to 0.7 of the change before.
+/// Updates in a row that do not reduce the smallest change so far to the share `SLOW`, after which the shear limits are held:
+/// points at the edge touch and lift off in turn. Converging updates leave 0.1 to 0.7 of the change before.
 const STALLED_UPDATES: usize = 4;
+const SLOW: f64 = 0.9;
 
 /// A solved increment; the state itself is the trial state of the mechanics.
 pub struct Equilibrium {
@@ -44,7 +45,7 @@ pub struct Equilibrium {
 /// The coupled quantities within one increment.
 struct Coupling<'a> {
     problem: &'a Problem,
-    /// V, m/s; 0 in a hold.
+    /// Rate at which the contact slips, m/s.
     slip_rate: f64,
     conduction: Option<&'a mut Conduction>,
     dt: f64,
@@ -89,7 +90,7 @@ impl Coupling<'_> {
         let limit = shear_limits(self.problem, contact, &hardened, rise.as_deref());
         let change = self.change(&limit).max(raised.unwrap_or(0.0));
         match &mut self.smallest {
-            (smallest, since) if change < *smallest => (*smallest, *since) = (change, 0),
+            (smallest, since) if change < SLOW * *smallest => (*smallest, *since) = (change, 0),
             (_, since) => *since += 1,
         }
         let agrees = change.max(stretched) <= self.tolerance;
@@ -170,11 +171,10 @@ impl Coupling<'_> {
 }
 
 impl Slide<'_> {
-    /// Solves the increment that ends at the displacement `to` of the flat, from a first guess.
+    /// Solves an increment from a first guess.
     pub(super) fn equilibrium(
         &mut self,
-        to: f64,
-        dt: f64,
+        &Advance { to, dt, slip_rate, .. }: &Advance,
         guess: Predictor,
         stop: &StopRequest,
     ) -> Result<Equilibrium, SlideFailure> {
@@ -188,7 +188,7 @@ impl Slide<'_> {
         contact.set_edges(&edges);
         let mut coupling = Coupling {
             problem: self.problem,
-            slip_rate: self.motion.slip_rate(),
+            slip_rate,
             conduction: self.heat.as_mut(),
             dt,
             slip: to - from,

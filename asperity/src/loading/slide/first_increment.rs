@@ -1,4 +1,4 @@
-//! First and shortest increments of a motion, by the displacements and times in which a contact changes.
+//! First increments of a motion, by the displacements and times in which a contact changes.
 
 use super::Slide;
 use super::increments::StepControl;
@@ -10,7 +10,6 @@ impl Slide<'_> {
     /// Step control of the present motion.
     pub(super) fn step_control(&self) -> StepControl {
         StepControl::new(self.motion.length(), self.scale(), self.growth, self.inception_width)
-            .no_shorter_than(self.time_of_waves())
     }
 
     /// Scale of the first increments of the present motion: the elastic displacement at gross slip, and what is passed
@@ -27,20 +26,6 @@ impl Slide<'_> {
                 elastic.min(time * speed.abs())
             }
             Motion::Slip { .. } => elastic,
-        }
-    }
-
-    /// Shortest increment of a hold: the time in which a shear wave passes the contact. Equilibrium has no meaning in a shorter
-    /// one, and the heat of a contact that relaxes at once as the flat stops would enter within it.
-    fn time_of_waves(&self) -> f64 {
-        /// Of the time in which temperatures change: where waves are slower, as of nanometre contacts, it decides.
-        const LARGEST_SHARE: f64 = 0.003;
-        match self.motion {
-            Motion::Hold { .. } => {
-                let waves = (self.last().area / std::f64::consts::PI).sqrt() / self.problem.wave_speed;
-                waves.min(LARGEST_SHARE * self.time_before.min(self.last().area))
-            }
-            Motion::Slip { .. } => 0.0,
         }
     }
 

@@ -116,12 +116,6 @@ impl StepControl {
         }
     }
 
-    /// With increments no shorter than `shortest` unless one fails.
-    pub fn no_shorter_than(self, shortest: f64) -> Self {
-        let least = self.least.max(shortest);
-        Self { least, advance: self.advance.max(shortest).min(self.distance), ..self }
-    }
-
     /// Whether an increment of length `increment` to the slip `slip` is too wide to hold sliding inception.
     pub fn is_wide(&self, increment: f64, slip: f64) -> bool {
         increment > (self.inception_width * slip).max(self.finest) * (1.0 + 1e-9)

@@ -1,6 +1,6 @@
 //! The slide: increments of the flat's displacement s, mechanics and heat coupled in each.
 //!
-//! [`motion`]: slip at a constant rate or a hold; [`increments`]: lengths of the increments and the bracket of sliding inception; [`coupling`]:
+//! [`motion`]: slip at a constant rate or a hold; [`relaxation`]: the slip rate after the flat has slowed down; [`increments`]: lengths of the increments and the bracket of sliding inception; [`coupling`]:
 //! equilibrium of one increment with its contact edge, shear limits and temperature; [`state`]: the
 //! state after it with the totals of work and heat; [`invariants`]: conditions that every state meets.
 //!
@@ -14,6 +14,7 @@ mod friction_heat;
 pub mod increments;
 pub mod invariants;
 mod motion;
+mod relaxation;
 mod shear_limits;
 mod state;
 
@@ -29,6 +30,7 @@ use friction_heat::HeatSources;
 use increments::{InceptionBracket, Predictor, StepControl};
 use invariants::Violation;
 pub use motion::Motion;
+use relaxation::Relaxation;
 
 /// Plastic strain above which the body shears in place of the interface, if the stick area fraction is above
 /// [`STILL_STICKING`]. Under interfaces no stronger than the body that fraction is reached at strains up to 0.03
@@ -89,6 +91,8 @@ struct Advance {
     dt: f64,
     /// For the strain rate, s; infinite in the isothermal limit.
     seconds: f64,
+    /// Rate at which the contact slips at its end, m/s.
+    slip_rate: f64,
     /// Whether it is longer than an increment in which sliding may begin.
     wide: bool,
 }
@@ -109,6 +113,9 @@ pub struct Slide<'a> {
     motion: Motion,
     /// Time that the motion before took.
     time_before: f64,
+    relaxation: Relaxation,
+    /// Rate at which the contact slips, m/s.
+    slip_rate: f64,
     interference: f64,
     control: LoadingControl,
     /// Elastic energy after the press.
@@ -145,6 +152,8 @@ impl<'a> Slide<'a> {
             heat,
             motion: Motion::Hold { time: 0.0 },
             time_before: 0.0,
+            relaxation: Relaxation::default(),
+            slip_rate: 0.0,
             sources: HeatSources::default(),
             history: Vec::new(),
             recorder: Recorder::default(),
@@ -173,14 +182,15 @@ impl<'a> Slide<'a> {
     ) -> Result<(), SlideFailure> {
         let mut path = 0.0;
         for (step, motion) in motions.iter().enumerate() {
+            self.motion = *motion;
             if let Some(before) = step.checked_sub(1) {
                 let before = motions[before];
+                self.relaxation = self.relaxation_after(before);
                 // The contact may stick again.
                 self.has_begun &= motion.direction() == before.direction();
                 self.time_before = before.time(before.length());
                 self.record_fields();
             }
-            self.motion = *motion;
             self.mechanics.contact.start_motion();
             // Those of another rate are no first iterate.
             self.sources = HeatSources::default();
@@ -228,6 +238,7 @@ impl<'a> Slide<'a> {
                 to: start + motion.direction() * next,
                 dt: motion.time(next - done),
                 seconds: motion.seconds(next - done, &self.problem.units),
+                slip_rate: self.slip_rate_after(next),
                 wide: slides && control.is_wide(next - done, next),
             };
             let attempt = self.step(step, advance, guess, stop);
@@ -296,7 +307,7 @@ impl<'a> Slide<'a> {
         stop: &StopRequest,
     ) -> Result<Attempt, SlideFailure> {
         self.mechanics.body.time_step = advance.seconds;
-        let equilibrium = self.equilibrium(advance.to, advance.dt, guess, stop)?;
+        let equilibrium = self.equilibrium(&advance, guess, stop)?;
         #[cfg(test)]
         if self.rejecting > 0 {
             self.rejecting -= 1;
@@ -315,6 +326,7 @@ impl<'a> Slide<'a> {
             return Ok(Attempt::PastInception(predictor));
         }
         self.commit(state, equilibrium);
+        self.slip_rate = advance.slip_rate;
         self.has_begun |= begins;
         Ok(Attempt::Taken)
     }

@@ -35,7 +35,8 @@ fn slip(speed: f64, distance: f64) -> Motion {
 /// An increment to the displacement `to`, in which sliding may begin.
 fn advance(slide: &Slide, to: f64) -> Advance {
     let distance = (to - slide.last().slip).abs();
-    Advance { to, dt: slide.motion.time(distance), seconds: f64::INFINITY, wide: false }
+    let slip_rate = slide.motion.slip_rate();
+    Advance { to, dt: slide.motion.time(distance), seconds: f64::INFINITY, slip_rate, wide: false }
 }
 
 /// A steel that does not harden, as strong as its interface, at 5 ω_c and 1 m/s.

@@ -3,7 +3,9 @@
 //! Hold: the heat of a disc source that is switched off is that of two sources, T(t) − T(t − t₁) (H. S. Carslaw & J. C.
 //! Jaeger, *Conduction of Heat in Solids* (1959), §10.5). Reversal in partial slip under Coulomb friction: R. D. Mindlin &
 //! H. Deresiewicz, J. Appl. Mech. 20, 327 (1953), doi 10.1115/1.4010702. Rate step: factor 1 + C ln(ε̇/ε̇₀) of the strength
-//! at the strain rate V/a, at once and for good.
+//! at the strain rate V/a, at once and for good. Relaxation in a hold: a slider with a velocity-strengthening interface on a
+//! spring (H. Perfettini & J.-P. Avouac, J. Geophys. Res. 109, B02304 (2004), doi 10.1029/2003JB002488), the spring a half-space
+//! under a uniform shear traction (V. Cerruti; K. L. Johnson, *Contact Mechanics* (1985), §3.6).
 
 use std::f64::consts::PI;
 
@@ -19,10 +21,11 @@ use crate::scene::{FrictionLaw, LoadingStep, Scene, Switch};
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, simulate};
 
-pub const CASES: [Case; 4] = [
+pub const CASES: [Case; 5] = [
     Case::new("hold after a disc source", Cost::Quick, hold),
     Case::new("reversal in partial slip", Cost::Quick, reversal),
     Case::new("rate step and reversal without heat", Cost::Quick, rate_step),
+    Case::new("relaxation in a hold", Cost::Quick, relaxation),
     Case::new("reversal of an elastic-plastic contact", Cost::Quick, plastic_reversal),
 ];
 
@@ -121,6 +124,48 @@ fn rate_step(watch: &dyn Watch) -> Rows {
         },
     );
     Ok(rows.collect())
+}
+
+/// The same interface after the flat has stopped: Q falls with the logarithm of time as the contact slips on.
+fn relaxation(watch: &dyn Watch) -> Rows {
+    const SLIDER: &str = "slider on a spring, Perfettini & Avouac 2004, 10.1029/2003JB002488";
+    const RATE: f64 = 1.0;
+    const HOLDS: [f64; 3] = [1e-9, 1e-7, 1e-5];
+    let mut scene = scene(rated_material(), FrictionLaw::ShearStrength, 2.0, mesh(8, 4));
+    scene.interface.strength_factor = 0.2;
+    scene.model.heat = Switch::Off;
+    let shear_modulus = scene.material.youngs_modulus / (2.0 * (1.0 + scene.material.poisson_ratio));
+    let poisson_ratio = scene.material.poisson_ratio;
+    let hold =
+        |(n, time): (usize, f64)| LoadingStep::Hold { hold: if n == 0 { time } else { time - HOLDS[n - 1] } };
+    let holds = HOLDS.into_iter().enumerate().map(hold);
+    let outcome = run(scene, [slip(RATE, 0.05)].into_iter().chain(holds).collect(), watch)?;
+    let [start, held @ ..] = &ends(&outcome)[..] else { unreachable!("a slip and three holds") };
+    let force = start[Quantity::Friction];
+    let radius = (start[Quantity::Area] / PI).sqrt();
+    let displacement = 4.0 * (2.0 - poisson_ratio) * force / (3.0 * PI * PI * shear_modulus * radius);
+    let rate = RATE / radius / strain_rate::REFERENCE;
+    let sensitivity = strain_rate::sensitivity(rate);
+    // Down to the strength at the reference strain rate.
+    let most = 1.0 - 1.0 / strain_rate::strength(rate);
+    let mut rows = Vec::new();
+    for (time, state) in HOLDS.into_iter().zip(held) {
+        let fall = most.min(sensitivity * (RATE * time / (sensitivity * displacement)).ln_1p());
+        let dissipated = state[Quantity::DissipationFriction] - start[Quantity::DissipationFriction];
+        rows.push(Row::new(
+            format!("fall of Q after a hold of {time:e} s"),
+            1.0 - state[Quantity::Friction] / force,
+            Reference::exact(fall, SLIDER),
+            Tolerance::relative(0.01, "change of the area in the hold"),
+        ));
+        rows.push(Row::new(
+            "heat of friction over Q u in that hold",
+            dissipated / (force * displacement),
+            Reference::exact(fall * (1.0 - 0.5 * fall), SLIDER),
+            Tolerance::relative(0.05, "mesh of 8 elements, and a half-space for the sphere"),
+        ));
+    }
+    Ok(rows)
 }
 
 /// Without heat and rate law, a step of the rate changes nothing, and a reversal changes the sign of the shear stress.

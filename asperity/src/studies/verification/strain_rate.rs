@@ -81,6 +81,11 @@ pub(super) fn strength(rate: f64) -> f64 {
     1.0 + COEFFICIENT * rate.ln()
 }
 
+/// Its relative change with the logarithm of the rate.
+pub(super) fn sensitivity(rate: f64) -> f64 {
+    COEFFICIENT / strength(rate)
+}
+
 fn material_point() -> Vec<Row> {
     let rate = RATE * REFERENCE;
     let time = Point::yielding().relaxation_time();
