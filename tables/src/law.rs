@@ -1,6 +1,6 @@
 //! The single-asperity response: the interface of tables and closed forms. Depends on `quantity`.
 
-use crate::quantity::numbers::plain;
+use crate::quantity::numbers::{digits, plain};
 
 pub use crate::quantity::Estimate;
 
@@ -41,6 +41,16 @@ pub fn covers((from, to): (f64, f64), slip_rate: f64) -> bool {
     (from * (1.0 - ROUNDING)..=to * (1.0 + ROUNDING)).contains(&slip_rate)
 }
 
+/// What a table needs to cover a slip rate outside the range of another one.
+fn wider(slip_rate: f64, from: f64, to: f64) -> String {
+    let factor = |factor: f64| digits(factor * 1.005, 3);
+    match slip_rate {
+        0.0 => "whose lowest slip rate is 0".into(),
+        rate if rate < from => format!("whose lowest slip rate is {} times lower", factor(from / rate)),
+        rate => format!("whose highest slip rate is {} times higher", factor(rate / to)),
+    }
+}
+
 /// Reason why a law has no response for a state.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LookupError {
@@ -49,10 +59,12 @@ pub enum LookupError {
     )]
     ContactTooLarge { interference: f64, limit: f64 },
     #[error(
-        "slip rate {} m/s is outside the table, which covers {} to {} m/s at the radii asked; the limits are in proportion to 1/R",
+        "slip rate {} m/s is outside the table, which covers {} to {} m/s at the radii asked; the limits are in proportion to 1/R: \
+         it is in a table {}",
         plain(*.slip_rate),
         plain(*.from),
-        plain(*.to)
+        plain(*.to),
+        wider(*.slip_rate, *.from, *.to)
     )]
     SlipRateOutside { slip_rate: f64, from: f64, to: f64 },
     #[error(

@@ -33,7 +33,7 @@ pub(super) struct Conditions<'a> {
 }
 
 impl<'a> Conditions<'a> {
-    /// At a slip rate, m/s, unless the scene has a programme; an error where plastic flow heats the metal too strongly.
+    /// At a slip rate, m/s, unless the scene has a programme; an error where plastic flow heats the material too strongly.
     pub fn new(pressed: &'a Pressed, slip_rate: f64) -> Result<Self, SimulationError> {
         let Pressed { scene, problem, contact_radius, .. } = pressed;
         let contact_radius = *contact_radius;
@@ -43,7 +43,7 @@ impl<'a> Conditions<'a> {
         let heat = choose_heat(scene, slip_rate, &effect);
         if let Some(heating) = runaway(scene).filter(|_| heat.is_coupled()) {
             return Err(SimulationError::Unsupported(format!(
-                "plastic flow heats this metal by {heating:.0e} K per unit of strain, so that it expands or melts faster \
+                "plastic flow heats this material by {heating:.0e} K per unit of strain, so that it expands or melts faster \
                  than it flows: a slide with heat has no equilibrium. Check material.density, specific_heat and \
                  yield_strength; model.heat = \"off\" leaves heat out"
             )));

@@ -86,7 +86,8 @@ impl Tabulation {
             None => self.filled()?,
         };
         table.set_provenance(&history, &self.shard());
-        table.set_comment(&self.warnings().join("\n"));
+        let comment = [self.request.between_temperatures(), self.warnings()].concat();
+        table.set_comment(&comment.join("\n"));
         Ok(table)
     }
 

@@ -26,7 +26,7 @@ pub enum Violation {
     #[error("plastic flow or friction release energy")]
     NegativeDissipation,
     #[error(
-        "the body is at {temperature:.0} K, above {highest:.0} K, where neither body nor interface has strength"
+        "the body is at {temperature:.2} K, above {highest:.2} K, where neither body nor interface has strength"
     )]
     AboveMelting { temperature: f64, highest: f64 },
 }

@@ -44,7 +44,8 @@ impl Request {
 
     /// Warnings about all cells, a sentence each; see [`Scene::remarks`].
     pub fn remarks(&self) -> Vec<String> {
-        self.template.remarks_with(&document(self))
+        let of_template = self.template.remarks_with(&document(self));
+        of_template.into_iter().chain(self.between_temperatures()).collect()
     }
 
     /// Those of values that are probably in another unit.

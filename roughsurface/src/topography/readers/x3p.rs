@@ -11,6 +11,11 @@ const LARGEST_MEMBER: u64 = 1 << 31;
 
 pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
     let mut archive = Archive::new(Cursor::new(bytes)).map_err(|error| format!("is no X3P file: {error}"))?;
+    if archive.file_names().flatten().any(|name| name.ends_with(".npy")) {
+        return Err(
+            "holds arrays of NumPy (.npz); save one array by numpy.save in a file of its own (.npy)".into()
+        );
+    }
     let xml = member(&mut archive, "main.xml")?;
     let xml = String::from_utf8(xml).map_err(|_| "main.xml is no UTF-8")?;
     let document = roxmltree::Document::parse(&xml).map_err(|error| format!("main.xml: {error}"))?;
@@ -94,4 +99,20 @@ fn member(archive: &mut Archive, name: &str) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     file.read_to_end(&mut bytes).map_err(|error| format!("{name} of the X3P file: {error}"))?;
     Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use super::*;
+
+    #[test]
+    fn arrays_of_numpy_are_no_x3p_file() {
+        let mut archive = zip::ZipWriter::new(Cursor::new(Vec::new()));
+        archive.start_file("z.npy", zip::write::SimpleFileOptions::default()).unwrap();
+        archive.write_all(b"\x93NUMPY").unwrap();
+        let bytes = archive.finish().unwrap().into_inner();
+        assert!(parse(&bytes).unwrap_err().contains("numpy.save"));
+    }
 }
