@@ -29,10 +29,9 @@ const MOST_UPDATES: usize = 24;
 const ELEVATIONS: usize = 3;
 /// Frictional power of the last update over that of the solution, above which the heat is that of the solution.
 const EXCESS_HEAT: f64 = 1.1;
-/// Updates in a row that do not reduce the smallest change so far to the share `SLOW`, after which the shear limits are held:
-/// points at the edge touch and lift off in turn. Converging updates leave 0.1 to 0.7 of the change before.
+/// Updates in a row that do not reduce the smallest change so far, after which the shear limits are held: points at the
+/// edge touch and lift off in turn. Converging updates leave 0.1 to 0.7 of the change before.
 const STALLED_UPDATES: usize = 4;
-const SLOW: f64 = 0.9;
 
 /// A solved increment; the state itself is the trial state of the mechanics.
 pub struct Equilibrium {
@@ -90,7 +89,7 @@ impl Coupling<'_> {
         let limit = shear_limits(self.problem, contact, &hardened, rise.as_deref());
         let change = self.change(&limit).max(raised.unwrap_or(0.0));
         match &mut self.smallest {
-            (smallest, since) if change < SLOW * *smallest => (*smallest, *since) = (change, 0),
+            (smallest, since) if change < *smallest => (*smallest, *since) = (change, 0),
             (_, since) => *since += 1,
         }
         let agrees = change.max(stretched) <= self.tolerance;
