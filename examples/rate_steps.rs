@@ -60,9 +60,16 @@ fn stress(state: &State<'_>) -> f64 {
 fn line(step: &LoadingStep, states: &[State<'_>], radius: f64) -> String {
     let (first, last) = (states[0], states[states.len() - 1]);
     let slip = |state: &State<'_>| (state[Quantity::Slip] - first[Quantity::Slip]).abs() / radius;
-    // The first state after which the contact slips everywhere.
+    // The first state in which the contact slips everywhere; as the slip rate falls, the weakest one from there on.
     let slips = |state: &&State<'_>| state[Quantity::StickFraction] < 0.01;
-    let direct = states[1..].iter().find(slips).unwrap_or(&last);
+    let slipping = states[1..].iter().skip_while(|state| !slips(state));
+    let rate = |state: &State<'_>| state[Quantity::SlipRate].abs();
+    let weaker = |one: &&State<'_>, other: &&State<'_>| stress(one).abs().total_cmp(&stress(other).abs());
+    let direct = match rate(&last) < rate(&first) {
+        true => slipping.min_by(weaker),
+        false => slipping.into_iter().next(),
+    };
+    let direct = direct.unwrap_or(&last);
     let end = stress(&last);
     let half = 0.5 * (stress(direct) + end);
     let later: Vec<_> = states.iter().skip_while(|state| slip(state) < slip(direct)).collect();

@@ -41,13 +41,17 @@ pub fn covers((from, to): (f64, f64), slip_rate: f64) -> bool {
     (from * (1.0 - ROUNDING)..=to * (1.0 + ROUNDING)).contains(&slip_rate)
 }
 
-/// What a table needs to cover a slip rate outside the range of another one.
+/// What a table needs to cover a slip rate outside the range of another one; nothing where no factor says that.
 fn wider(slip_rate: f64, from: f64, to: f64) -> String {
     let factor = |factor: f64| digits(factor * 1.005, 3);
     match slip_rate {
-        0.0 => "whose lowest slip rate is 0".into(),
-        rate if rate < from => format!("whose lowest slip rate is {} times lower", factor(from / rate)),
-        rate => format!("whose highest slip rate is {} times higher", factor(rate / to)),
+        rate if rate > to && to > 0.0 => {
+            format!(": it needs a table whose highest slip rate is {} times as high", factor(rate / to))
+        }
+        rate if rate > 0.0 && rate < from => {
+            format!(": it needs a table whose lowest slip rate is this one over {}", factor(from / rate))
+        }
+        _ => String::new(),
     }
 }
 
@@ -59,8 +63,7 @@ pub enum LookupError {
     )]
     ContactTooLarge { interference: f64, limit: f64 },
     #[error(
-        "slip rate {} m/s is outside the table, which covers {} to {} m/s at the radii asked; the limits are in proportion to 1/R: \
-         it is in a table {}",
+        "slip rate {} m/s is outside the table, which covers {} to {} m/s at the radii asked; the limits are in proportion to 1/R{}",
         plain(*.slip_rate),
         plain(*.from),
         plain(*.to),

@@ -14,8 +14,4 @@ impl Moduli {
             shear: youngs_modulus / (2.0 * (1.0 + poisson_ratio)),
         }
     }
-
-    pub fn poisson_ratio(&self) -> f64 {
-        (3.0 * self.bulk - 2.0 * self.shear) / (2.0 * (3.0 * self.bulk + self.shear))
-    }
 }

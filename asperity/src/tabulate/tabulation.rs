@@ -86,8 +86,7 @@ impl Tabulation {
             None => self.filled()?,
         };
         table.set_provenance(&history, &self.shard());
-        let comment = [self.request.between_temperatures(), self.warnings()].concat();
-        table.set_comment(&comment.join("\n"));
+        table.set_comment(&self.warnings().join("\n"));
         Ok(table)
     }
 

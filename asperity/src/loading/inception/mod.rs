@@ -88,18 +88,19 @@ pub fn stick_slip(history: &[SlideState]) -> Option<[f64; 2]> {
 }
 
 /// First step of the programme after the first in which friction falls faster with slip than the contact unloads elastically, by
-/// more than [`SUDDEN`] of itself, as where heat takes the strength of the interface at a higher slip rate. The contact then
-/// slips as a whole (Scholz 1998, doi:10.1038/34097), by an amount that quasi-statics does not determine.
+/// more than [`SUDDEN`] of itself and other than with the slip rate, as where heat takes the strength of the interface at a higher
+/// slip rate. The contact then slips as a whole (Scholz 1998, doi:10.1038/34097), by an amount that quasi-statics does not determine.
 pub fn sudden_fall(history: &[SlideState]) -> Option<usize> {
     let [start, first, ..] = history else { return None };
     let stiffness = (first.friction - start.friction) / (first.slip - start.slip);
     // Heat changes friction with the root of time, so that any step begins with a fast fall, by little.
     let mut fallen = 0.0;
     let is_sudden = |pair: &&[SlideState]| {
-        let (slip, fall) = (pair[1].slip - pair[0].slip, pair[0].friction - pair[1].friction);
+        let friction = [0, 1].map(|n| pair[n].friction / (1.0 + pair[n].rate_growth));
+        let (slip, fall) = (pair[1].slip - pair[0].slip, friction[0] - friction[1]);
         let resists = pair[0].friction * slip > 0.0;
         let is_fast = pair[1].step > 0 && resists && fall * slip.signum() > stiffness * slip.abs();
-        fallen = if is_fast { fallen + fall.abs() / pair[0].friction.abs() } else { 0.0 };
+        fallen = if is_fast { fallen + fall.abs() / friction[0].abs() } else { 0.0 };
         fallen > SUDDEN
     };
     history.windows(2).find(is_sudden).map(|pair| pair[1].step)

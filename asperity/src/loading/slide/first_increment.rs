@@ -12,20 +12,21 @@ impl Slide<'_> {
         StepControl::new(self.motion.length(), self.scale(), self.growth, self.inception_width)
     }
 
-    /// Scale of the first increments of the present motion: the elastic displacement at gross slip, and what is passed
-    /// in a share of the time of the motion before, or of that in which heat diffuses through the contact.
+    /// Scale of the first increments of the present motion: the elastic displacement at gross slip, what is passed in a share
+    /// of the time of the motion before, or of that in which heat diffuses through the contact, and the part in which the slip
+    /// rate begins to fall.
     fn scale(&self) -> f64 {
         /// Surface temperatures change in proportion to √t at first, by 3 % over a thousandth of the time.
         const FIRST_SHARE: f64 = 0.001;
         let time = FIRST_SHARE * self.time_before.min(self.last().area);
-        let elastic = self.elastic_displacement();
+        let (elastic, fall) = (self.elastic_displacement(), self.length_of_fall());
         match self.motion {
-            Motion::Hold { .. } => time,
+            Motion::Hold { .. } => time.min(fall),
             // A slide starts cold.
             Motion::Slip { speed, .. } if self.heat.is_some() && time > 0.0 => {
-                elastic.min(time * speed.abs())
+                elastic.min(time * speed.abs()).min(fall)
             }
-            Motion::Slip { .. } => elastic,
+            Motion::Slip { .. } => elastic.min(fall),
         }
     }
 

@@ -1,6 +1,7 @@
 //! The slide: increments of the flat's displacement s, mechanics and heat coupled in each.
 //!
-//! [`motion`]: slip at a constant rate or a hold; [`relaxation`]: the slip rate after the flat has slowed down; [`increments`]: lengths of the increments and the bracket of sliding inception; [`coupling`]:
+//! [`motion`]: slip at a constant rate or a hold; [`relaxation`]: the slip
+//! rate after the flat has slowed down; [`increments`]: lengths of the increments and the bracket of sliding inception; [`coupling`]:
 //! equilibrium of one increment with its contact edge, shear limits and temperature; [`state`]: the
 //! state after it with the totals of work and heat; [`invariants`]: conditions that every state meets.
 //!
@@ -185,7 +186,7 @@ impl<'a> Slide<'a> {
             self.motion = *motion;
             if let Some(before) = step.checked_sub(1) {
                 let before = motions[before];
-                self.relaxation = self.relaxation_after(before);
+                self.relaxation = self.relaxation();
                 // The contact may stick again.
                 self.has_begun &= motion.direction() == before.direction();
                 self.time_before = before.time(before.length());
@@ -315,7 +316,8 @@ impl<'a> Slide<'a> {
                 return Err(StepFailure::NotFinite.into());
             }
         }
-        let state = SlideState { step, ..self.next_state(advance.dt, &equilibrium) };
+        let mut state = SlideState { step, ..self.next_state(advance.dt, &equilibrium) };
+        state.rate_growth = self.rate_factor(advance.slip_rate, state.area) - 1.0;
         self.check(&state, &equilibrium)?;
         let begins = !self.has_begun && state.slides();
         // A contact without stick after the press, or with full slip in the first increment, has its inception at s =

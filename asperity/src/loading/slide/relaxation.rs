@@ -1,7 +1,8 @@
 //! Slip rate of a contact whose flat has slowed down or stopped.
 //!
 //! Where the strength of the interface grows with the logarithm of the slip rate, dτ = bτ d ln v, the force Q on a contact that
-//! slips everywhere falls as fast as the contact slips. With the mean displacement u of a half-space under a uniform traction,
+//! slips everywhere falls in proportion to what it slips beyond the flat. With the mean displacement u of a half-space under a
+//! uniform traction,
 //!
 //! ```text
 //! Q̇ = (V₂ − v) Q/u = bQ v̇/v,     u = 4(2 − ν)Q/(3π²Ga),
@@ -9,8 +10,8 @@
 //! ```
 //!
 //! the relaxation of a slider with a velocity-strengthening interface (H. Perfettini & J.-P. Avouac, J. Geophys. Res. 109, B02304
-//! (2004), doi 10.1029/2003JB002488); u by integration of Cerruti's solution over the disc. The strength follows v; the slip and
-//! its heat follow from equilibrium.
+//! (2004), doi 10.1029/2003JB002488); u by integration of Cerruti's solution over the disc. The strength is that at
+//! v; the slip and its heat follow from equilibrium. Where the contact cools it sticks in part, and slips slower than v.
 
 use std::f64::consts::PI;
 
@@ -20,7 +21,7 @@ use super::motion::Motion;
 /// The fall of the slip rate after the start of a motion.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Relaxation {
-    /// V₁, m/s; 0 where the contact sticks or rests.
+    /// V₁, m/s; 0 at the start and after a reversal.
     from: f64,
     /// bu, m.
     length: f64,
@@ -29,7 +30,8 @@ pub struct Relaxation {
 impl Relaxation {
     /// v in m/s, `time` (s) after the flat has taken the rate `to` (m/s).
     fn slip_rate(&self, to: f64, time: f64) -> f64 {
-        // At a higher rate the contact sticks until its force has risen.
+        // At a higher rate the contact sticks until its force has risen by bQ ln(V₂/V₁), as the slider does but for a slip of some
+        // bu.
         if self.from <= to || self.length == 0.0 {
             return to;
         }
@@ -40,19 +42,37 @@ impl Relaxation {
 }
 
 impl Slide<'_> {
-    /// The fall of the slip rate as the present motion follows the motion `before`.
-    pub(super) fn relaxation_after(&self, before: Motion) -> Relaxation {
-        let (now, solid) = (self.last(), &self.problem.solid);
-        // After a reversal the contact sticks first.
-        if self.motion.direction() * before.direction() < 0.0 || now.area == 0.0 {
+    /// The fall of the slip rate as the present motion begins.
+    pub(super) fn relaxation(&self) -> Relaxation {
+        let (now, problem) = (self.last(), self.problem);
+        // Friction resists the motion unless that is a reversal, after which the contact sticks first.
+        if self.motion.direction() * now.friction < 0.0 || now.area == 0.0 {
             return Relaxation::default();
         }
-        let (radius, moduli) = ((now.area / PI).sqrt(), &solid.moduli);
-        let displacement = 4.0 * (2.0 - moduli.poisson_ratio()) * now.friction.abs()
-            / (3.0 * PI * PI * moduli.shear * radius);
-        let length = self.problem.units.length;
-        let sensitivity = solid.interface_rate_sensitivity(self.slip_rate, radius * length);
+        let radius = (now.area / PI).sqrt();
+        let displacement = 4.0 * (2.0 - problem.poisson_ratio) * now.friction.abs()
+            / (3.0 * PI * PI * problem.solid.moduli.shear * radius);
+        let length = problem.units.length;
+        let sensitivity = problem.solid.interface_rate_sensitivity(self.slip_rate, radius * length);
         Relaxation { from: self.slip_rate, length: sensitivity * displacement * length }
+    }
+
+    /// Part of the length of the present motion in which the slip rate begins to fall: that of the time bu/V₁; infinite where
+    /// it does not fall.
+    pub(super) fn length_of_fall(&self) -> f64 {
+        let Relaxation { from, length } = self.relaxation;
+        let (to, units) = (self.motion.slip_rate(), &self.problem.units);
+        match self.motion {
+            _ if from <= to || length == 0.0 => f64::INFINITY,
+            Motion::Slip { .. } => length / units.length * (to / from),
+            Motion::Hold { .. } => length / from / units.time,
+        }
+    }
+
+    /// Λ, growth of the strength of the interface at a slip rate (m/s) of a contact of area `area`.
+    pub(super) fn rate_factor(&self, slip_rate: f64, area: f64) -> f64 {
+        let radius = (area / PI).sqrt() * self.problem.units.length;
+        self.problem.solid.interface_rate_factor(slip_rate, radius)
     }
 
     /// Rate at which the contact slips, m/s, after a part of the length of the present motion.

@@ -57,7 +57,7 @@ impl Slide<'_> {
             (state.rise_max, state.rise_mean) = contact_rise(&self.mechanics.contact, rise);
             state.heat_counterface += balance.counterface;
             let generated = balance.contact + balance.counterface;
-            // In a hold only points that relax slip: their heat is small against that which both bodies exchange.
+            // In a hold both bodies exchange more heat than a contact generates that relaxes.
             let slides = self.problem.counterface.is_some() && self.motion.slip_rate() > 0.0;
             if slides && generated > LEAST_FRICTIONAL * balance.contact.abs() {
                 state.heat_partition = balance.contact / generated;

@@ -15,7 +15,9 @@ const PLACES: usize = 64;
 type Constant = (&'static str, &'static str, fn(&Scene) -> f64);
 const CONSTANTS: [Constant; 2] = [
     ("yield strength", "material.softening", |scene| scene.material.yield_strength),
-    ("Young's modulus", "material.youngs_modulus", |scene| scene.material.youngs_modulus),
+    ("contact modulus", "youngs_modulus", |scene| {
+        scene.with_combined_modulus().material.elastic_plastic().contact_modulus()
+    }),
 ];
 
 impl Request {

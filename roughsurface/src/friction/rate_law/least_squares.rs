@@ -161,7 +161,7 @@ pub(super) fn minimise(form: &'static Form, curve: &Curve) -> Result<RateLaw, No
         starts(form, curve).into_iter().map(|start| descend(form, curve, start)).collect();
     let squares = |minimum: &Minimum| minimum.1.norm_squared();
     let least = minima.iter().min_by(|one, other| squares(one).total_cmp(&squares(other)));
-    let least = least.expect("a grid has a least value");
+    let least = least.ok_or(NoFit::NoFriction)?;
     let (place, residuals, _) = least;
     // Where friction rises, the best falling law is a constant.
     let explains = residuals.norm_squared() < (1.0 - TOLERANCE) * curve.variance();
@@ -201,9 +201,9 @@ fn descend(form: &Form, curve: &Curve, mut place: Parameters) -> Minimum {
     (place, residuals, jacobian)
 }
 
-/// Largest change of each parameter to the other minima that fit as well, and where a third of the slip rates is left out and
+/// Largest change of each parameter to `others`, minima that the scatter does not exclude, and where a third of the slip rates is left out and
 /// a plateau is still seen.
-fn spread(form: &Form, curve: &Curve, whole: Parameters, equal: &[Parameters]) -> Parameters {
+fn spread(form: &Form, curve: &Curve, whole: Parameters, others: &[Parameters]) -> Parameters {
     let mut spread = [0.0; 4];
     let seen = |part: &Curve| {
         let above = part.rates().filter(|rate| rate.ln() > whole[LN_VELOCITY]).count();
@@ -211,7 +211,7 @@ fn spread(form: &Form, curve: &Curve, whole: Parameters, equal: &[Parameters]) -
     };
     let parts = curve.parts();
     let of_parts = parts.iter().filter(|part| seen(part)).map(|part| descend(form, part, whole).0);
-    for other in of_parts.chain(equal.iter().copied()) {
+    for other in of_parts.chain(others.iter().copied()) {
         for (largest, (one, other)) in spread.iter_mut().zip(other.into_iter().zip(whole)) {
             *largest = f64::max(*largest, (one - other).abs());
         }
@@ -252,11 +252,12 @@ fn law(form: &'static Form, curve: &Curve, least: &Minimum, minima: &[Minimum]) 
     let variance = squares / count.saturating_sub(parameters) as f64;
     let errors = DVector::from_iterator(count, curve.points.iter().map(|(_, mu)| mu.error));
     let student_t = student_t(count as f64 - parameters as f64);
-    // Parameters within the region of likelihood, S <= S_min (1 + t²/(N − k)) (Bates & Watts 1988, Nonlinear Regression
-    // Analysis and Its Applications, doi 10.1002/9780470316757, section 6.1).
+    // Within the 95 % interval of a parameter by its profile of S, S <= S_min [1 + t²/(N − k)] (Bates & Watts 1988, Nonlinear
+    // Regression Analysis and Its Applications, doi 10.1002/9780470316757, section 6.1).
     let most = squares + student_t.powi(2) * variance;
-    let equal = minima.iter().filter(|minimum| minimum.1.norm_squared() <= most).map(|minimum| minimum.0);
-    let spread = spread(form, curve, place, &equal.collect::<Vec<_>>());
+    let others = minima.iter().filter(|minimum| minimum.1.norm_squared() <= most);
+    let others: Vec<Parameters> = others.map(|minimum| minimum.0).collect();
+    let spread = spread(form, curve, place, &others);
     let estimate = |parameter: usize| {
         let column = form.fitted().iter().position(|fitted| *fitted == parameter);
         // A curve through as many points as it has parameters has no scatter, and unknown errors.
@@ -271,10 +272,12 @@ fn law(form: &'static Form, curve: &Curve, least: &Minimum, minima: &[Minimum]) 
         Estimate { value: place[parameter], error }
     };
     let (ln_velocity, velocity) = (estimate(LN_VELOCITY), place[LN_VELOCITY].exp());
+    let to_other = |other: &Parameters| (other[LN_VELOCITY].exp() - velocity).abs();
+    let velocity_error = others.iter().map(to_other).fold(velocity * ln_velocity.error, f64::max);
     Some(RateLaw {
         form,
         mu_0: estimate(MU_0),
-        velocity: Estimate { value: velocity, error: velocity * ln_velocity.error },
+        velocity: Estimate { value: velocity, error: velocity_error },
         exponent: estimate(EXPONENT),
         plateau: estimate(PLATEAU),
         misfit: (squares / count as f64).sqrt(),

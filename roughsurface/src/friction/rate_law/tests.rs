@@ -172,9 +172,9 @@ fn scan(rates: &[f64], mu: &[Estimate]) -> (f64, f64) {
     values.min_by(|one, other| one.0.total_cmp(&other.0)).unwrap()
 }
 
-/// Smooth weakening has two onsets, a factor of two apart, that fit about as well.
+/// Smooth weakening has two onsets, a factor of two apart, with about the same sum of squares.
 #[test]
-fn the_best_of_several_minima_is_found_and_errors_reach_those_that_fit_as_well() {
+fn the_best_of_several_minima_is_found_and_errors_reach_those_that_the_scatter_does_not_exclude() {
     let rates = Log.range(2e-4, 2.0, 10);
     let mut onsets = Vec::new();
     for velocity in [1.4, 1.6, 1.8, 1.83, 1.86, 1.89, 2.0, 2.2] {
@@ -190,8 +190,7 @@ fn the_best_of_several_minima_is_found_and_errors_reach_those_that_fit_as_well()
     // Where both fit to within 3 %, the error of either reaches the other.
     for onset in &onsets[2..6] {
         let other = if onset.value < 0.3 { 0.42 } else { 0.225 };
-        // Of ln V_w, to first order.
-        assert!((other / onset.value).ln().abs() < 1.1 * onset.error / onset.value, "{onset:?}");
+        assert!((onset.value - other).abs() < 1.05 * onset.error, "{onset:?}");
     }
 }
 
