@@ -1,4 +1,4 @@
-//! Cut-backs, the bracket of sliding inception, reversals and stops.
+//! Cut-backs, the bracket of sliding inception, reversals, stops and the fall of the slip rate.
 
 use super::increments::INCEPTION_WIDTH;
 use super::*;
@@ -231,4 +231,38 @@ fn the_first_increment_follows_the_friction_law() {
     let gross = mindlin::gross_slip_displacement(FRICTION, slide.last().load, tangential, radius);
     let first = slide.step_control().next(0.0, None) / gross;
     assert!((0.05..0.15).contains(&first), "{first}");
+}
+
+/// As the flat slows down or stops, the strength falls by less than its change with an e-fold of the slip rate in an increment, to
+/// that at the new rate; after a reversal, also one after a hold, it is that of the new rate at once.
+#[test]
+fn increments_resolve_the_fall_of_the_slip_rate() {
+    const SENSITIVITY: f64 = 0.02;
+    let rate = "material.rate={ law = \"johnson-cook\", coefficient = 0.02, reference = 1.0 }";
+    let problem = problem_of(&[rate, "interface.strength_factor=0.5"]);
+    let slip = |slip_rate: f64, share: f64| Motion::Slip {
+        slip_rate,
+        speed: slip_rate * FAST,
+        distance: share * problem.expected_contact_radius(),
+    };
+    let hold = Motion::Hold { time: 1e-6 };
+    let growths = |motions: &[Motion], is_hot: bool| -> Vec<f64> {
+        let mut slide = ready(&problem);
+        slide.heat = slide.heat.filter(|_| is_hot);
+        slide.run(motions, &|| false, |_, _| {}).unwrap();
+        let before = slide.history.iter().rposition(|state| state.step + 1 < motions.len()).unwrap();
+        slide.history[before..].iter().map(|state| state.rate_growth).collect()
+    };
+    for (second, least, is_hot) in [
+        (slip(0.01, 0.05), SENSITIVITY * 100f64.ln(), true),
+        (slip(0.01, 0.05), SENSITIVITY * 100f64.ln(), false),
+        (hold, SENSITIVITY * 2f64.ln(), true),
+    ] {
+        let growths = growths(&[slip(1.0, 0.1), second], is_hot);
+        let falls: Vec<f64> = growths.windows(2).map(|pair| pair[0] - pair[1]).collect();
+        assert!(falls.iter().all(|fall| *fall < SENSITIVITY), "{growths:?}");
+        assert!(falls.iter().sum::<f64>() > 0.99 * least, "{growths:?}");
+    }
+    let reversed = growths(&[slip(1.0, 0.1), hold, slip(-1e-4, 0.05)], true);
+    assert!((reversed[1] - reversed[reversed.len() - 1]).abs() < 0.1 * SENSITIVITY, "{reversed:?}");
 }
