@@ -18,6 +18,10 @@ pub(super) type Absent = (usize, usize);
 
 /// Error of the interpolation over that of the prediction of left-out points.
 const REFINEMENT: f64 = 0.5;
+/// Distance of a parabola with zero slope at one end from the straight line, in the middle, over the difference of both ends.
+pub(super) const OF_PARABOLA: f64 = 0.25;
+/// Place of the slip rate among interference, slip rate and slip.
+const SLIP_RATE: usize = 1;
 
 #[derive(Clone, Debug)]
 pub(super) struct Nodes {
@@ -175,7 +179,8 @@ impl Nodes {
             let of_pair = || {
                 let mut pairs =
                     neighbours.into_iter().flatten().filter_map(|next| Some((line(own)?, line(next)?)));
-                pairs.next().map(|(one, other)| two_means(&one, &other))
+                let (one, other) = pairs.next()?;
+                Some(if along == SLIP_RATE { parabola(&one, &other) } else { two_means(&one, &other) })
             };
             known.or_else(of_pair).unwrap_or_default()
         };
@@ -256,6 +261,16 @@ fn two_means(one: &Values, other: &Values) -> Errors {
         let (geometric, mean) = ((a[f] * b[f]).max(0.0).sqrt(), 0.5 * (a[f] + b[f]));
         let misfit = (mean - geometric).abs() / geometric.abs().max(f64::MIN_POSITIVE);
         if geometric > 0.0 { misfit.min(1.0) / REFINEMENT } else { 0.0 }
+    })
+}
+
+/// The same along the slip rate, along which values have no power law: the distance in the middle of a parabola with zero slope at
+/// one end from the straight line.
+fn parabola(one: &Values, other: &Values) -> Errors {
+    let (a, b) = (with_coefficient(one), with_coefficient(other));
+    std::array::from_fn(|f| {
+        let largest = a[f].abs().max(b[f].abs());
+        if largest > 0.0 { OF_PARABOLA * (a[f] - b[f]).abs() / largest / REFINEMENT } else { 0.0 }
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
 use super::interpolant::Place;
-use super::nodes::{Absent, blend_with_bend, ends};
+use super::nodes::{Absent, OF_PARABOLA, blend_with_bend, ends};
 use super::steffen::Location;
 use super::{Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
@@ -94,7 +94,17 @@ impl InterpolatedTable {
             let Estimate { value, error } = cell[quantity];
             if value.is_nan() { Err((i, j)) } else { Ok((quantity.above_origin(value, origin), error)) }
         };
-        let row = |i: usize| blend_with_bend(rate_coordinate, rate, |j| Ok(at(i, j)?.0));
+        // The difference of two slip rates says nothing of the curve between them.
+        let only_two = if rate_coordinate.len() == 2 {
+            4.0 * rate.t * (1.0 - rate.t) * OF_PARABOLA / OF_STRAIGHT
+        } else {
+            0.0
+        };
+        let row = |i: usize| -> Result<(f64, f64), Absent> {
+            let (value, bend) = blend_with_bend(rate_coordinate, rate, |j| Ok(at(i, j)?.0))?;
+            let unknown = if only_two > 0.0 { only_two * (at(i, 1)?.0 - at(i, 0)?.0).abs() } else { 0.0 };
+            Ok((value, bend.max(unknown)))
+        };
         let (value, mut bends) = blend_with_bend(log_interference, place, |i| Ok(row(i)?.0))?;
         let mut error = 0.0;
         for (i, share_i) in ends(place) {

@@ -232,6 +232,38 @@ mod tests {
         (**table).clone().regridded(axes).unwrap().interpolated()
     }
 
+    /// Friction and load between two slip rates a decade apart, of tables that have no others.
+    #[test]
+    fn two_slip_rates_have_errors_between_them() {
+        use Quantity::{Friction, Load, Mu};
+        let (mut inside, mut all) = (0, 0);
+        for name in names() {
+            let whole = table(name).unwrap();
+            let radius = whole.metadata().asperity_radius;
+            let rates = &whole.axes().slip_rate;
+            let [.., last] = rates[..] else { unreachable!("a table has slip rates") };
+            let first = rates.iter().position(|rate| *rate >= 0.09 * last).unwrap();
+            let axes = Axes { slip_rate: vec![rates[first], last], ..whole.axes().clone() };
+            let coarse = (*whole).clone().regridded(axes).unwrap().interpolated();
+            for (i, j) in whole.grid().filter(|(_, j)| (first + 1..rates.len() - 1).contains(j)) {
+                let (omega, rate) = whole.coordinates(i, j);
+                let cell = whole.cell(i, j).unwrap();
+                let end = whole.axes().slip.last().unwrap() * cell[Quantity::ContactRadius].value;
+                let response = coarse.response(radius, omega, rate, end).unwrap();
+                let scalar = coarse.estimate(Mu, radius, omega, rate).unwrap();
+                for (found, truth) in
+                    [(scalar, cell[Mu]), (response.friction, cell[Friction]), (response.load, cell[Load])]
+                {
+                    all += 1;
+                    let allowed = found.error.hypot(truth.error);
+                    inside += usize::from((found.value - truth.value).abs() <= allowed);
+                }
+            }
+        }
+        println!("{inside} of {all}");
+        assert!(all > 100 && inside as f64 > 0.95 * f64::from(all), "{inside} of {all}");
+    }
+
     /// Values at the omitted points of thinned tables lie within the errors of the difference, of scalars and of the
     /// response at the last slip; the median of these errors is not far above that of the cells.
     #[test]
