@@ -50,7 +50,7 @@ fn unit(text: &str) -> Result<f64, String> {
 }
 
 impl TopographyOptions {
-    /// Refuses the options for a surface file.
+    /// Refuses the options for a surface file, if there is one.
     pub fn refuse(&self, file: &Path) -> Result<(), Failure> {
         for (option, given) in [
             ("--cutoff", self.cutoff.is_some()),
@@ -61,7 +61,7 @@ impl TopographyOptions {
             ("--pixel", self.pixel.is_some()),
             ("--other-face", self.other_face.is_some()),
         ] {
-            if given {
+            if given && file.exists() {
                 let shown = file.display();
                 return Err(Failure::input(format!(
                     "{option} is for a topography; {shown} is a surface file"

@@ -18,7 +18,11 @@ pub fn read_text(path: &Path) -> io::Result<String> {
         false => Box::new(std::fs::File::open(path)?),
     };
     let mut text = String::new();
-    file.take(LONGEST + 1).read_to_string(&mut text)?;
+    let read = file.take(LONGEST + 1).read_to_string(&mut text);
+    read.map_err(|error| match error.kind() {
+        io::ErrorKind::InvalidData => io::Error::new(error.kind(), "is no text in UTF-8"),
+        _ => error,
+    })?;
     match text.len() as u64 > LONGEST {
         true => Err(io::Error::other(format!("is longer than {} MB", LONGEST >> 20))),
         false => Ok(text),

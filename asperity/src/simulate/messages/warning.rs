@@ -94,9 +94,10 @@ pub enum Warning {
     )]
     SuddenFall { step: usize },
     /// Energies or heat of the slide that are not accounted for, relative to their largest term, and the difference of the
-    /// heat from that of friction and plastic flow.
+    /// heat from that of friction and plastic flow, 0 before sliding begins.
     #[error(
-        "of the work of the flat {energy:.0e} is neither stored nor dissipated, of the heat {heat:.0e} neither stored nor lost, and heat and dissipation differ by {sources:.0e}: a finer mesh or a smaller accuracy closes the balances"
+        "of the work of the flat {energy:.0e} is neither stored nor dissipated, of the heat {heat:.0e} neither stored nor lost{}: a finer mesh or a smaller accuracy closes the balances",
+        if *.sources == 0.0 { String::new() } else { format!(", and heat and dissipation differ by {sources:.0e}") }
     )]
     Unbalanced { energy: f64, heat: f64, sources: f64 },
     /// The contact is hotter than the melting temperature of the metal, K.
