@@ -18,15 +18,18 @@ impl Slide<'_> {
     fn scale(&self) -> f64 {
         /// Surface temperatures change in proportion to √t at first, by 3 % over a thousandth of the time.
         const FIRST_SHARE: f64 = 0.001;
+        /// Of the elastic displacement: in a shorter increment the rounding of displacements decides. A hot contact cools within
+        /// it, at rates so low that it slips no further meanwhile.
+        const LEAST: f64 = 1e-6;
         let time = FIRST_SHARE * self.time_before.min(self.last().area);
         let (elastic, fall) = (self.elastic_displacement(), self.length_of_fall());
         match self.motion {
             Motion::Hold { .. } => time.min(fall),
             // A slide starts cold.
             Motion::Slip { speed, .. } if self.heat.is_some() && time > 0.0 => {
-                elastic.min(time * speed.abs()).min(fall)
+                elastic.min(time * speed.abs()).min(fall).max(LEAST * elastic)
             }
-            Motion::Slip { .. } => elastic.min(fall),
+            Motion::Slip { .. } => elastic.min(fall).max(LEAST * elastic),
         }
     }
 

@@ -266,3 +266,17 @@ fn increments_resolve_the_fall_of_the_slip_rate() {
     let reversed = growths(&[slip(1.0, 0.1), hold, slip(-1e-4, 0.05)], true);
     assert!((reversed[1] - reversed[reversed.len() - 1]).abs() < 0.1 * SENSITIVITY, "{reversed:?}");
 }
+
+/// The first increments of a slip so slow that the contact cools within it are not lost to rounding.
+#[test]
+fn increments_of_a_slow_slip_are_not_shorter_than_rounding() {
+    let problem = problem_of(&["interface.strength_factor=0.5"]);
+    let radius = problem.expected_contact_radius();
+    let mut slide = ready(&problem);
+    slide.run(&[slip(FAST, 0.1 * radius), slip(1e-12 * FAST, 0.02 * radius)], &|| false, |_, _| {}).unwrap();
+    let slow = slide.history.windows(2).filter(|pair| pair[1].step == 1);
+    let shortest = slow.map(|pair| pair[1].slip - pair[0].slip).fold(f64::INFINITY, f64::min);
+    assert!(shortest > 1e-12 * radius, "{shortest}");
+    let end = slide.history.last().unwrap();
+    assert!(end.rise_max < 1e-6, "{end:?}");
+}
