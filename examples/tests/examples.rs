@@ -55,10 +55,9 @@ fn a_rate_step_has_the_direct_effect_of_the_rate_law() {
     let [plain, rated] = [&rows[..7], &rows[7..]];
     let direct = |rows: &[[f64; 5]], step: usize| rows[step][1] / rows[step][0];
     let law = (1.0 + 0.014 * 21_200f64.ln()) / (1.0 + 0.014 * 212f64.ln());
-    for (step, law) in [(1, law), (2, 1.0 / law)] {
-        // In the first increment the temperature changes a little.
-        assert!((direct(rated, step) - law).abs() < 0.005, "{step} {text}");
-    }
+    // In the first increment the temperature changes a little; in the step down the contact cools while it relaxes, some 20 K.
+    assert!((direct(rated, 1) - law).abs() < 0.005, "{text}");
+    assert!((0.0..0.015).contains(&(direct(rated, 2) - 1.0 / law)), "{text}");
     assert!((direct(plain, 1) - 1.0).abs() < 0.005, "{text}");
     // After the step down it sticks until the spring of the body has made up for the strength that it gains by cooling, 0.06 %
     // per kelvin, some 10 K.
