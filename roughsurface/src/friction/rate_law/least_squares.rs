@@ -201,8 +201,8 @@ fn descend(form: &Form, curve: &Curve, mut place: Parameters) -> Minimum {
     (place, residuals, jacobian)
 }
 
-/// Largest change of each parameter to `others`, minima that the scatter does not exclude, and where a third of the slip rates is left out and
-/// a plateau is still seen.
+/// Largest change of each parameter to `others`, minima that the scatter does not exclude, and where a third of the slip rates
+/// is left out and a plateau is still seen.
 fn spread(form: &Form, curve: &Curve, whole: Parameters, others: &[Parameters]) -> Parameters {
     let mut spread = [0.0; 4];
     let seen = |part: &Curve| {

@@ -173,7 +173,8 @@ pub struct RateLaws {
 /// The isothermal limit V = 0 is left out. Errors of the parameters are the largest of (i) the 95 % interval from the scatter
 /// about the fit (Student's t), (ii) the change without the lowest or the highest third of the slip rates, as a form that is not
 /// that of the data leaves residuals that are no scatter, and (iii) the distance to other minima that the scatter does not
-/// exclude at 95 %, plus the effect of the errors of `mu`, which have one sign at all slip rates. Unknown where there are as many slip rates as parameters.
+/// exclude at 95 %, plus the effect of the errors of `mu`, which have one sign at all slip rates. Unknown where there are as
+/// many slip rates as parameters.
 pub fn choose(slip_rates: &[f64], mu: &[Estimate]) -> RateLaws {
     let curve = match Curve::new(slip_rates, mu) {
         Ok(curve) => curve,
