@@ -12,6 +12,11 @@
 //!   (1968), doi 10.1098/rspa.1968.0105). Softening by heat changes Q/A; it is in proportion to the contact radius,
 //!   and w = √(ω/ω₁) for Q/A.
 //!
+//! - Thermal expansion raises load and area at a slip rate over those at the slowest one of the table. The excess of this ratio
+//!   over 1 is kept for the area, and a power of ω for the load: both are multiplied by it, in place of a part of their ratio
+//!   to the elastic sphere.
+//! - The slip at inception and the energy G contain plastic flow of the asperity: w = ω/ω₁.
+//!
 //! The temperature rise is in proportion to the contact radius. If the interface has no limit of the shear traction, or
 //! the table does not state it, Q/P has the value of the first row.
 
@@ -42,6 +47,8 @@ pub(super) struct ElasticSphere {
     shear_limit: Option<ShearLimit>,
     /// σ_Y/√3, Pa.
     shear_strength: f64,
+    /// C and ε̇₀ (1/s) of a rate law.
+    rate_law: Option<(f64, f64)>,
 }
 
 impl ElasticSphere {
@@ -55,6 +62,7 @@ impl ElasticSphere {
             tangential_modulus: metadata.contact_modulus * (1.0 - nu) / (2.0 * (2.0 - nu)),
             shear_limit: metadata.shear_limit(),
             shear_strength: metadata.yield_strength / 3f64.sqrt(),
+            rate_law: metadata.rate_coefficient.zip(metadata.rate_reference),
         }
     }
 
@@ -62,6 +70,19 @@ impl ElasticSphere {
     fn gross_slip(&self, interference: f64) -> Option<GrossSlip> {
         let peak = 1.5 * self.load(interference) / self.area(interference);
         Some(self.shear_limit?.gross_slip(peak))
+    }
+
+    /// Λ = 1 + C ln(V/(aε̇₀)), by which the strength is larger at a slip rate (m/s) and contact radius (m); 1 without a rate
+    /// law.
+    pub(super) fn growth(&self, slip_rate: f64, contact_radius: f64) -> f64 {
+        self.rate_law.map_or(1.0, |(coefficient, reference)| {
+            1.0 + coefficient * (slip_rate / (contact_radius * reference)).max(1.0).ln()
+        })
+    }
+
+    /// The same at ω/ω_c.
+    pub(super) fn growth_at(&self, slip_rate: f64, interference: f64) -> f64 {
+        self.growth(slip_rate, self.contact_radius(interference))
     }
 
     /// a, m, at ω/ω_c.
@@ -80,11 +101,12 @@ impl ElasticSphere {
         hertz::contact_area(self.radius, interference * self.critical_interference)
     }
 
-    /// Q, N, after the slip s = `slip`·a.
-    fn friction(&self, interference: f64, slip: f64) -> Option<f64> {
+    /// Q, N, after the slip s = `slip`·a at a slip rate.
+    fn friction(&self, interference: f64, slip: f64, slip_rate: f64) -> Option<f64> {
         let sliding = self.gross_slip(interference)?;
-        let mobilised = sliding.force_fraction(slip / sliding.displacement(self.tangential_modulus, 1.0));
-        Some(sliding.mean * self.area(interference) * mobilised)
+        let growth = self.growth_at(slip_rate, interference);
+        let at_gross_slip = growth * sliding.displacement(self.tangential_modulus, 1.0);
+        Some(growth * sliding.mean * self.area(interference) * sliding.force_fraction(slip / at_gross_slip))
     }
 
     /// Q of gross slip, N.
@@ -113,21 +135,42 @@ impl ElasticSphere {
         (uplift(below.interference()) - uplift(below.first_row)).min(1.0)
     }
 
-    /// State below the first row, whose state at the same s/a₀ = `slip` is `row`, and its relative uncertainty.
-    pub(super) fn state_below(&self, below: BelowFirstRow, slip: f64, row: &Values) -> (Values, Errors) {
+    /// Load or area below the first row, in which it is `row`, and its relative uncertainty but for uplift; `elastic` is that of
+    /// the elastic sphere.
+    pub(super) fn pressed_below(
+        below: BelowFirstRow,
+        elastic: &dyn Fn(f64) -> f64,
+        row: f64,
+        heat: HeatRatio,
+    ) -> (f64, f64) {
+        let (here, first) = (elastic(below.interference()), elastic(below.first_row));
+        let cold = row / heat.first_row;
+        let value = extrapolated(here, first, cold, below.press_weight());
+        (value * heat.at(below), below.ratio_uncertainty(cold / first) + heat.uncertainty(below))
+    }
+
+    /// State below the first row, whose state at the same s/a₀ = `slip` is `row`, and its relative uncertainty; with the
+    /// effect of heat on load and area in the first row.
+    pub(super) fn state_below(
+        &self,
+        below: BelowFirstRow,
+        (slip, slip_rate): (f64, f64),
+        row: &Values,
+        heat: [HeatRatio; 2],
+    ) -> (Values, Errors) {
         let (here, first) = (below.interference(), below.first_row);
         let (load, area) = (Field::Load as usize, Field::Area as usize);
         let (friction, rise) = (Field::Friction as usize, Field::TemperatureRise as usize);
         let mut values = [0.0; FIELDS];
         let mut uncertainty = Errors::default();
         let uplift = self.uplift_uncertainty(below);
-        for (field, elastic, elastic_at_row) in
-            [(load, self.load(here), self.load(first)), (area, self.area(here), self.area(first))]
-        {
-            values[field] = extrapolated(elastic, elastic_at_row, row[field], below.press_weight());
-            uncertainty[field] = below.ratio_uncertainty(values[field] / elastic) + uplift;
+        let of_load: &dyn Fn(f64) -> f64 = &|at| self.load(at);
+        for (field, elastic, heat) in [(load, of_load, heat[0]), (area, &|at| self.area(at), heat[1])] {
+            let (value, relative) = Self::pressed_below(below, elastic, row[field], heat);
+            (values[field], uncertainty[field]) = (value, relative + uplift);
         }
-        if let (Some(elastic), Some(elastic_at_row)) = (self.friction(here, slip), self.friction(first, slip))
+        if let (Some(elastic), Some(elastic_at_row)) =
+            (self.friction(here, slip, slip_rate), self.friction(first, slip, slip_rate))
         {
             let per_area = values[area] / self.area(here);
             let row_per_area = row[friction] / (row[area] / self.area(first));
@@ -137,7 +180,7 @@ impl ElasticSphere {
             let thermal = (ratio - 1.0).abs() * (1.0 - below.thermal_weight());
             uncertainty[friction] = uncertainty[area] + thermal;
             // As a scalar has it: uplift decreases load and area alike.
-            uncertainty[COEFFICIENT] = uncertainty[area].max(uncertainty[load]) + thermal;
+            uncertainty[COEFFICIENT] = uncertainty[area] + uncertainty[load] - uplift + thermal;
         } else if row[load] != 0.0 {
             values[friction] = values[load] * row[friction] / row[load];
             uncertainty[friction] = uncertainty[load];
@@ -156,6 +199,50 @@ pub(super) fn extrapolated(elastic: f64, elastic_at_row: f64, row: f64, weight: 
     } else {
         // Without a ratio, the difference is weighted.
         row + (elastic - elastic_at_row) * (1.0 - weight)
+    }
+}
+
+/// Load or area in the first row over that at the slowest slip rate of the table: the effect of frictional heat, by thermal
+/// expansion.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct HeatRatio {
+    first_row: f64,
+    /// Of ω in its excess over 1.
+    exponent: f64,
+}
+
+impl HeatRatio {
+    pub(super) const NONE: Self = Self { first_row: 1.0, exponent: 0.0 };
+
+    /// An excess that does not depend on ω, from the value in the first row at the slip rate and at the slowest one.
+    pub(super) fn constant([value, slowest]: [f64; 2]) -> Self {
+        let first_row = value / slowest;
+        if first_row.is_finite() && first_row > 0.0 { Self { first_row, exponent: 0.0 } } else { Self::NONE }
+    }
+
+    /// With the exponent from the first row to the second, whose ω is larger by `log_ratio` in its logarithm.
+    pub(super) fn power(
+        [value, slowest]: [f64; 2],
+        [second, second_slowest]: [f64; 2],
+        log_ratio: f64,
+    ) -> Self {
+        /// Expansion per interference, of a rise between those in proportion to the contact radius and to its root.
+        const LEAST: f64 = -0.6;
+        let here = Self::constant([value, slowest]);
+        let excess = [here.first_row, second / second_slowest].map(|ratio| (ratio - 1.0).max(0.0));
+        let exponent = (excess[1] / excess[0]).ln() / log_ratio;
+        if exponent.is_finite() { Self { exponent: exponent.clamp(LEAST, 0.0), ..here } } else { here }
+    }
+
+    fn at(self, below: BelowFirstRow) -> f64 {
+        1.0 + (self.first_row - 1.0) * (self.exponent * below.log_ratio).exp()
+    }
+
+    /// Relative uncertainty of that.
+    fn uncertainty(self, below: BelowFirstRow) -> f64 {
+        let here = self.at(below);
+        let kept = UNCERTAINTY_OF_KEPT_RATIO * (self.first_row - 1.0).abs() * (1.0 - below.thermal_weight());
+        (kept / self.first_row).max(0.5 * (here - self.first_row).abs() / here)
     }
 }
 
@@ -188,6 +275,19 @@ impl BelowFirstRow {
     /// Weight w of the first row in P and A.
     pub(super) fn press_weight(self) -> f64 {
         if self.first_row <= 1.0 { 1.0 } else { self.thermal_weight() }
+    }
+
+    /// Weight w of the first row in the slip at inception and in G: the logarithms of their ratios to the elastic sphere are
+    /// in proportion to powers of ω, with exponents of 0.8 to 1 up to 2 ω_c in the shipped tables, and 0.5 to 0.8 up to 4 ω_c.
+    pub(super) fn plastic_weight(self) -> f64 {
+        (0.85 * self.log_ratio).exp()
+    }
+
+    /// Relative uncertainty of a quantity with that weight, by its ratio to the elastic sphere in the first row: the
+    /// difference to a weight of √(ω/ω₁).
+    pub(super) fn plastic_uncertainty(self, ratio: f64) -> f64 {
+        let uncertainty = ratio.ln().abs() * (self.thermal_weight() - self.plastic_weight());
+        if uncertainty.is_finite() { uncertainty } else { 0.0 }
     }
 
     /// Relative uncertainty of a ratio to the elastic sphere: all of the part that tends to 1, and a share of a

@@ -3,8 +3,8 @@
 use roots::{SimpleConvergency, find_root_brent};
 
 use super::ROUNDING;
-use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
-use super::nodes::{self, Absent, Errors, Nodes, Values, blend, rate_coordinate};
+use super::hertz_limit::{BelowFirstRow, ElasticSphere, HeatRatio, extrapolated};
+use super::nodes::{self, Absent, Errors, Field, Nodes, Values, blend, rate_coordinate};
 use super::plastic_limit::AboveLastRow;
 use super::steffen::{self, Location, locate};
 use crate::law::{LARGEST_CONTACT, covers};
@@ -112,6 +112,15 @@ impl Interpolant {
         Some(locate(&self.rate_coordinate, at))
     }
 
+    /// The slip rate (m/s) there, for the strain rate.
+    pub(super) fn slip_rate_at(&self, Location { index, t }: Location) -> f64 {
+        match self.slip_rate[index..] {
+            [here, next, ..] if t > 0.0 => here.powf(1.0 - t) * next.powf(t),
+            [here, ..] => here,
+            [] => 0.0,
+        }
+    }
+
     /// State and relative errors at the radius of the table.
     ///
     /// After the last slip of the histories it is that of their end; what it may change until a given slip is an error.
@@ -144,11 +153,22 @@ impl Interpolant {
     ) -> Result<(Values, Errors), Absent> {
         let slip = self.nodes.locate_slip(ratio);
         let (at, factor, (values, uncertainty)) = match *place {
-            Place::Below(below) => (
-                Location::on(first),
-                1.0,
-                self.sphere.state_below(below, ratio, &self.row(first, rate, slip)?),
-            ),
+            Place::Below(below) => {
+                let row = self.row(first, rate, slip)?;
+                let heat = [Field::Load, Field::Area].map(|field| {
+                    self.heat_ratio(
+                        (first, last),
+                        field == Field::Load,
+                        |i, rate| Some(self.row(i, rate, slip).ok()?[field as usize]),
+                        rate,
+                    )
+                });
+                (
+                    Location::on(first),
+                    1.0,
+                    self.sphere.state_below(below, (ratio, self.slip_rate_at(rate)), &row, heat),
+                )
+            }
             Place::Inside(place) => {
                 let values = blend(&self.log_interference, place, |i| self.row(i, rate, slip))?;
                 (place, 1.0, (values, Errors::default()))
@@ -163,6 +183,26 @@ impl Interpolant {
             *error = factor * *error + uncertainty;
         }
         Ok((values, error))
+    }
+
+    /// Effect of heat on load or area in the first of the rows, from a function that gives it in a row at a slip rate; of
+    /// the load `grows` as ω decreases.
+    pub(super) fn heat_ratio(
+        &self,
+        (first, last): (usize, usize),
+        grows: bool,
+        of: impl Fn(usize, Location) -> Option<f64>,
+        rate: Location,
+    ) -> HeatRatio {
+        let pair = |i: usize| Some([of(i, rate)?, of(i, Location::on(0))?]);
+        let Some(here) = pair(first) else { return HeatRatio::NONE };
+        match pair(first + 1).filter(|_| grows && first < last) {
+            Some(second) => {
+                let log_ratio = self.log_interference[first + 1] - self.log_interference[first];
+                HeatRatio::power(here, second, log_ratio)
+            }
+            None => HeatRatio::constant(here),
+        }
     }
 
     /// Where an interference is, between `rows` with results.

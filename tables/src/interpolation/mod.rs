@@ -40,7 +40,7 @@ pub(crate) use nodes::{blend_one, cubic, neighbours};
 
 use crate::law::{AsperityLaw, Estimate, LookupError, OptionalEstimate, Response, SlidingResponse};
 use crate::quantity::Quantity;
-use crate::table::{Metadata, Slice, Status};
+use crate::table::{Slice, Status};
 use nodes::{Absent, COEFFICIENT, Errors, Field, Values};
 use steffen::Location;
 
@@ -95,26 +95,15 @@ impl InterpolatedTable {
     }
 
     /// Relative uncertainty of the strength at R = `ratio`·R_t, where VR is that of the table, but not the strain rate
-    /// V/a, which is in proportion to 1/R²; and at interferences to which a is extrapolated in proportion to √ω. Of the
+    /// V/a, which is in proportion to 1/R²; and above the last row, where a is extrapolated in proportion to √ω. Of the
     /// strength at the smallest strain rate of the table.
     fn strength_uncertainty(&self, interference: f64, ratio: f64) -> f64 {
         let Some(coefficient) = self.metadata().rate_coefficient else { return 0.0 };
-        let first = self.axes().interference[0].min(self.interference_limit());
-        let within = interference.clamp(first, self.interference_limit());
-        let extrapolated = if interference > 0.0 { (interference / within).ln().abs() } else { 0.0 };
+        let extrapolated = (interference / self.interference_limit()).max(1.0).ln();
         let largest =
             self.interpolant.rows.map_or(f64::NAN, |(_, last)| self.interpolant.log_contact_radius[last]);
-        let smallest = self.growth(self.axes().slip_rate[0], largest.exp());
+        let smallest = self.interpolant.sphere.growth(self.axes().slip_rate[0], largest.exp());
         coefficient / smallest * (2.0 * ratio.ln().abs() + 0.5 * extrapolated)
-    }
-
-    /// 1 + C ln(V/(aε̇₀)) of a slip rate and a contact radius; 1 without a rate law.
-    fn growth(&self, slip_rate: f64, contact_radius: f64) -> f64 {
-        let Metadata { rate_coefficient, rate_reference, .. } = *self.metadata();
-        let law = rate_coefficient.zip(rate_reference);
-        law.map_or(1.0, |(coefficient, reference)| {
-            1.0 + coefficient * (slip_rate / (contact_radius * reference)).max(1.0).ln()
-        })
     }
 
     fn check_interference(&self, interference: f64) -> Result<(), LookupError> {
@@ -302,7 +291,7 @@ impl AsperityLaw for InterpolatedTable {
         }
         let (slowest, _) = self.slip_rate_range(radius);
         let contact = self.estimate(Quantity::ContactRadius, radius, interference, slowest)?.value;
-        Ok(self.growth(slip_rate, contact))
+        Ok(self.interpolant.sphere.growth(slip_rate, contact))
     }
 
     fn last_slip(&self) -> f64 {

@@ -1,6 +1,6 @@
 //! Scalars of a table between its points, below its first row and above its last.
 
-use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
+use super::hertz_limit::{BelowFirstRow, ElasticSphere, HeatRatio, extrapolated};
 use super::interpolant::Place;
 use super::nodes::{Absent, OF_PARABOLA, blend_with_bend, ends};
 use super::steffen::Location;
@@ -40,7 +40,15 @@ impl InterpolatedTable {
                     let (value, error) = between(quantity, origin, Location::on(first)).map_err(absent)?;
                     let [load, area] =
                         [Quantity::Load, Quantity::Area].map(|quantity| of_row(quantity, 0.0, first));
-                    let row = FirstRow { sphere: &self.interpolant.sphere, below, load, area };
+                    let heat = [Quantity::Load, Quantity::Area].map(|quantity| {
+                        let of = |row, rate| {
+                            self.between(quantity, 0.0, Location::on(row), rate).ok().map(|(value, _)| value)
+                        };
+                        self.interpolant.heat_ratio(rows, quantity == Quantity::Load, of, rate)
+                    });
+                    let slip_rate = self.interpolant.slip_rate_at(rate);
+                    let row =
+                        FirstRow { sphere: &self.interpolant.sphere, below, slip_rate, load, area, heat };
                     let continued = row.extrapolate(quantity, value);
                     let factor = if value == 0.0 { 1.0 } else { (continued / value).abs() };
                     (continued, factor * error + row.uncertainty(quantity, value) * continued.abs())
@@ -123,8 +131,12 @@ impl InterpolatedTable {
 struct FirstRow<'a> {
     sphere: &'a ElasticSphere,
     below: BelowFirstRow,
+    /// m/s.
+    slip_rate: f64,
     load: f64,
     area: f64,
+    /// Of load and area.
+    heat: [HeatRatio; 2],
 }
 
 impl FirstRow<'_> {
@@ -133,13 +145,14 @@ impl FirstRow<'_> {
         let Self { sphere, below, .. } = *self;
         let (here, first) = (below.interference(), below.first_row);
         let pressed = |elastic: &dyn Fn(f64) -> f64| self.weighted(elastic, row, below.press_weight());
-        let known = |value: Option<f64>| value.unwrap_or(f64::NAN);
-        let limit = quantity.descriptor().elastic_limit;
+        let (limit, of_press) = (quantity.descriptor().elastic_limit, quantity.descriptor().of_press);
         match limit {
             ElasticLimit::TemperatureRise => row * below.thermal_weight(),
             ElasticLimit::FirstRow => row,
-            ElasticLimit::Load => pressed(&|at| sphere.load(at)),
-            ElasticLimit::Area => pressed(&|at| sphere.area(at)),
+            ElasticLimit::Load if of_press => pressed(&|at| sphere.load(at)),
+            ElasticLimit::Area if of_press => pressed(&|at| sphere.area(at)),
+            ElasticLimit::Load => self.load_below().0,
+            ElasticLimit::Area => self.area_below().0,
             ElasticLimit::ContactRadius => pressed(&|at| sphere.contact_radius(at)),
             // No shear strength of the interface: friction coefficients are constant, forces proportional to the load.
             _ if !self.has_friction() => match quantity.descriptor().units {
@@ -148,14 +161,12 @@ impl FirstRow<'_> {
                 _ => row * sphere.contact_radius(here) / sphere.contact_radius(first),
             },
             ElasticLimit::SlidingFriction => self.friction(row),
-            ElasticLimit::SlidingCoefficient => {
-                let load = self.weighted(&|at| sphere.load(at), self.load, below.press_weight());
-                self.friction(row * self.load) / load
-            }
+            ElasticLimit::SlidingCoefficient => self.friction(row * self.load) / self.load_below().0,
             ElasticLimit::StaticFriction => pressed(&|at| self.shear(at)),
             ElasticLimit::StaticCoefficient => pressed(&|at| self.shear(at) / sphere.load(at)),
-            ElasticLimit::InceptionSlip => pressed(&|at| known(sphere.inception_slip(at))),
-            ElasticLimit::EnergyRelease => pressed(&|at| known(sphere.energy_release(at))),
+            ElasticLimit::InceptionSlip | ElasticLimit::EnergyRelease => {
+                self.weighted(&|at| self.elastic_inception(limit, at), row, below.plastic_weight())
+            }
             // Slight heating: the drop of strength and the slip are both in proportion to a.
             ElasticLimit::Weakening => row * sphere.area(here) / sphere.area(first),
             ElasticLimit::None => f64::NAN,
@@ -166,8 +177,8 @@ impl FirstRow<'_> {
     fn uncertainty(&self, quantity: Quantity, row: f64) -> f64 {
         let Self { sphere, below, .. } = *self;
         let first = below.first_row;
-        let sliding = (below.ratio_uncertainty(self.load / sphere.load(first)))
-            .max(below.ratio_uncertainty(self.area / sphere.area(first)));
+        let (of_load, of_area) = (self.load_below().1, self.area_below().1);
+        let sliding = of_load.max(of_area);
         let thermal = |friction: f64| {
             let strength = self.strength(friction)
                 / (self.shear(below.interference()) / sphere.area(below.interference()));
@@ -182,10 +193,25 @@ impl FirstRow<'_> {
                 sliding + sphere.uplift_uncertainty(below) + thermal(row)
             }
             ElasticLimit::SlidingCoefficient if self.has_friction() => {
-                sliding + sphere.uplift_uncertainty(below) + thermal(row * self.load)
+                of_load + of_area + sphere.uplift_uncertainty(below) + thermal(row * self.load)
+            }
+            ElasticLimit::StaticCoefficient => of_load + of_area + sphere.uplift_uncertainty(below),
+            ElasticLimit::InceptionSlip | ElasticLimit::EnergyRelease if self.has_friction() => {
+                below.plastic_uncertainty(row / self.elastic_inception(limit, first))
+                    + sphere.uplift_uncertainty(below)
             }
             _ => sliding + sphere.uplift_uncertainty(below),
         }
+    }
+
+    /// Slip at inception or G of the elastic sphere.
+    fn elastic_inception(&self, limit: ElasticLimit, interference: f64) -> f64 {
+        let value = match limit {
+            ElasticLimit::InceptionSlip => self.sphere.inception_slip(interference),
+            _ => self.sphere.energy_release(interference),
+        };
+        let growth = self.sphere.growth_at(self.slip_rate, interference);
+        value.map_or(f64::NAN, |value| value * growth.powf(limit.strength_exponent()))
     }
 
     fn weighted(&self, elastic: &dyn Fn(f64) -> f64, row: f64, weight: f64) -> f64 {
@@ -198,7 +224,8 @@ impl FirstRow<'_> {
 
     /// Q of gross slip of the elastic sphere.
     fn shear(&self, interference: f64) -> f64 {
-        self.sphere.sliding_friction(interference).unwrap_or(f64::NAN)
+        let growth = self.sphere.growth_at(self.slip_rate, interference);
+        self.sphere.sliding_friction(interference).map_or(f64::NAN, |friction| friction * growth)
     }
 
     /// Q/A, from Q in the first row: heat changes sliding friction per area.
@@ -209,7 +236,16 @@ impl FirstRow<'_> {
 
     /// Q, from that in the first row.
     fn friction(&self, friction: f64) -> f64 {
-        let area = self.weighted(&|at| self.sphere.area(at), self.area, self.below.press_weight());
-        area * self.strength(friction)
+        self.area_below().0 * self.strength(friction)
+    }
+
+    /// P of the slide and its relative uncertainty but for uplift.
+    fn load_below(&self) -> (f64, f64) {
+        ElasticSphere::pressed_below(self.below, &|at| self.sphere.load(at), self.load, self.heat[0])
+    }
+
+    /// A of the slide and the same.
+    fn area_below(&self) -> (f64, f64) {
+        ElasticSphere::pressed_below(self.below, &|at| self.sphere.area(at), self.area, self.heat[1])
     }
 }

@@ -154,10 +154,10 @@ mod tests {
         }
     }
 
-    /// The first rows of a table.
-    fn cut(table: &InterpolatedTable, rows: usize) -> InterpolatedTable {
+    /// Some rows of a table.
+    fn cut(table: &InterpolatedTable, rows: std::ops::Range<usize>) -> InterpolatedTable {
         let axes = table.axes();
-        let axes = Axes { interference: axes.interference[..rows].to_vec(), ..axes.clone() };
+        let axes = Axes { interference: axes.interference[rows].to_vec(), ..axes.clone() };
         (**table).clone().regridded(axes).unwrap().interpolated()
     }
 
@@ -201,13 +201,44 @@ mod tests {
         }
     }
 
+    /// The shipped tables cut below 0.7 to 4 ω_c, against all cells below.
+    #[test]
+    fn rows_below_a_cut_table_lie_within_the_stated_errors() {
+        use Quantity::*;
+        for quantity in [Load, Area, Friction, Mu, MuStatic, InceptionSlip, EnergyRelease, TemperatureMax] {
+            let (mut inside, mut all, mut farthest) = (0, 0, 0.0_f64);
+            for name in names() {
+                let whole = table(name).unwrap();
+                let (rows, radius) = (whole.axes().interference.clone(), whole.metadata().asperity_radius);
+                for first in (1..rows.len()).filter(|first| (0.65..=4.0).contains(&rows[*first])) {
+                    let cut = cut(&whole, first..rows.len());
+                    for (i, j) in whole.grid().filter(|(i, _)| *i < first) {
+                        let (omega, rate) = whole.coordinates(i, j);
+                        let (found, cell) =
+                            (cut.estimate(quantity, radius, omega, rate).unwrap(), whole.cell(i, j).unwrap());
+                        if found.value == whole.metadata().temperature {
+                            continue;
+                        }
+                        let off = (found.value - cell[quantity].value).abs();
+                        let allowed = found.error.hypot(cell[quantity].error);
+                        all += 1;
+                        inside += usize::from(off <= allowed);
+                        farthest = farthest.max(off / allowed);
+                    }
+                }
+            }
+            println!("{quantity:?}: {inside} of {all}, at most {farthest:.2}");
+            assert!(inside as f64 >= 0.95 * all as f64, "{quantity:?}: {inside} of {all}");
+        }
+    }
+
     /// Last interference of a cut table, what it gives for a cell above, and the cell.
     fn above_cut_tables(name: &str, quantity: Quantity) -> Vec<(f64, Estimate, Estimate)> {
         let whole = table(name).unwrap();
         let (rows, radius) = (whole.axes().interference.clone(), whole.metadata().asperity_radius);
         let mut compared = Vec::new();
         for last in (0..rows.len() - 1).filter(|last| rows[*last] >= 1.9) {
-            let cut = cut(&whole, last + 1);
+            let cut = cut(&whole, 0..last + 1);
             for (i, j) in whole.grid().filter(|(i, _)| *i > last && rows[*i] < cut.contact_limit()) {
                 let (omega, rate) = whole.coordinates(i, j);
                 let found = cut.estimate(quantity, radius, omega, rate).unwrap();

@@ -208,13 +208,20 @@ fn a_strength_that_grows_with_the_strain_rate_adds_to_the_errors_at_other_radii(
         assert!((wider(of(&rated), of(&plain)) - exponent * added).abs() < 1e-12, "{quantity:?}");
     }
     assert!((rated.radius_uncertainty(0.1 * RADIUS) - added).abs() < 1e-12);
-    // At its own radius the table is as it was, but for contact radii that are extrapolated.
-    let own =
-        |table: &InterpolatedTable, interference| table.response(RADIUS, interference, 1.0, 1e-7).unwrap();
+    // At its own radius the table is as it was; below its first row the strength is that at the strain rate there.
+    let own = |table: &InterpolatedTable, interference| {
+        table.response(RADIUS, interference, 1.0, 1e-7).unwrap().friction.value
+    };
     assert_eq!(own(&rated, 7.0), own(&plain, 7.0));
-    let below = wider(own(&rated, 0.01).friction, own(&plain, 0.01).friction);
-    let first = plain.axes().interference[0];
-    assert!((below - 0.5 * C * (first / 0.01).ln() / smallest).abs() < 1e-12);
+    let (first, here) = (plain.axes().interference[0], 0.01);
+    let growth = |interference| {
+        let omega = interference * plain.metadata().critical_interference;
+        1.0 + C * (1.0 / hertz::contact_radius(RADIUS, omega)).ln()
+    };
+    let expected = growth(here) / growth(first).powf((here / first).sqrt());
+    let end =
+        |table: &InterpolatedTable| table.estimate(Quantity::Friction, RADIUS, here, 1.0).unwrap().value;
+    assert!((end(&rated) / end(&plain) / expected - 1.0).abs() < 1e-12);
 }
 
 #[test]
