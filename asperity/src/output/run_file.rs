@@ -119,7 +119,9 @@ fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Resu
         let by_source = format!("{error_name}_by_source");
         let ancillary = format!("{error_name} {by_source}");
         let origin = match quantity {
-            Quantity::MuSteady => "2 mu(s) - mu(s/4) at the end of the slide",
+            Quantity::MuSteady => {
+                "of the slide, or of its continuation, see notes; extrapolated with 1/sqrt(slip)"
+            }
             quantity if is_corrected(quantity, outcome.inception) => {
                 "of the finest mesh, corrected for its mean discretisation error"
             }

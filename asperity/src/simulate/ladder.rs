@@ -7,6 +7,7 @@ use crate::scene::Numerics;
 use crate::simulate::accuracy::error_budget::ErrorBudget;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::expected_time::{EXPECTED_TIME_FACTOR, time_ratio};
+use crate::simulate::steady::SteadyState;
 
 /// Share of the error that a refinement leaves at which it has gained nothing; with twice the elements it leaves half or
 /// less.
@@ -60,6 +61,14 @@ impl Ladder {
     ) -> Self {
         let coarse = auxiliary.swap_remove(0);
         Self { obstacle, ..Self::new(start, coarse, auxiliary) }
+    }
+
+    /// Takes the steady friction of each run by its ratio to that at the end of the slide.
+    pub fn set_steady_friction(&mut self, steady: SteadyState) {
+        self.notes.extend(steady.slip.map(Note::WentOn));
+        for run in self.auxiliary.iter_mut().chain(&mut self.main).chain(&mut self.coarse) {
+            run.values.set_steady_friction(steady.ratio);
+        }
     }
 
     /// Time of all slides, s.

@@ -214,6 +214,10 @@ fn slide_in_pool(
         }
         budget = runner.judge(&ladder);
     }
+    if let Some(steady) = runner.steady_state(&mut ladder) {
+        ladder.set_steady_friction(steady);
+        budget = runner.judge(&ladder);
+    }
     watch.progress("slide", 1.0, "");
     let wall_time = pressed.wall_time + clock.elapsed().as_secs_f64();
     report::report(&runner, ladder, budget, stopped, wall_time)
@@ -256,7 +260,7 @@ fn run_alone(
 ) -> Result<Run, SimulationError> {
     in_pool(|| {
         let pressed = pressed::press_coarsely(scene, watch)?;
-        let progress = RunProgress { kind: "", span: (0.0, 1.0) };
+        let progress = RunProgress { kind: "", span: (0.0, 1.0), goes_on: false };
         let mut run = Runner::new(&pressed, slip_rate, watch)?.run(resolution, progress, watch)?;
         match run.failure.take() {
             None => Ok(run),

@@ -11,6 +11,7 @@ use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::expected_time::time_of;
+use crate::simulate::steady::SteadyState;
 use crate::simulate::values::Values;
 use crate::solver::newton::Effort;
 use crate::solver::timings::{Kernel, Timings};
@@ -21,6 +22,8 @@ pub(super) struct Run {
     pub press: Arc<PressedMesh>,
     pub history: Vec<SlideState>,
     pub values: Values,
+    /// Of a run that went on beyond its end, where it slides to it.
+    pub steady: Option<SteadyState>,
     pub snapshots: Vec<Snapshot>,
     pub body: Option<BodyFields>,
     /// At its end.

@@ -19,11 +19,12 @@ use crate::loading::body_fields::BodyFields;
 use crate::loading::problem::Discretisation;
 use crate::loading::recording::Recorder;
 use crate::loading::slide::increments::inception_width;
-use crate::loading::slide::{Motion, Slide, SlideFailure};
+use crate::loading::slide::{Motion, MotionInProgress, Slide, SlideFailure};
 use crate::simulate::accuracy::error_budget::{ErrorBudget, RunValues, estimate};
 use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::steady::{LONGEST, SteadyState, has_gone_far_enough, has_to_go_on};
 use crate::simulate::values::Values;
-use crate::solver::timings::Kernel;
+use crate::solver::timings::{Kernel, Timings};
 
 /// Shares of the progress of a slide at the end of the auxiliary runs and of the main run; then it may be
 /// repeated more finely.
@@ -87,7 +88,7 @@ impl<'a> Runner<'a> {
     /// The auxiliary runs of a resolution, and the main run with the sectors and increments that they require. If they are
     /// stopped, the result is the run that has come furthest.
     fn runs_from(&self, start: Resolution) -> Result<Ladder, SimulationError> {
-        let progress = |from| RunProgress { kind: "", span: (from, MAIN) };
+        let progress = |from| RunProgress { kind: "", span: (from, MAIN), goes_on: false };
         let early = EarlyMain::new(self.watch);
         let (auxiliary, begun) = rayon::join(
             || {
@@ -131,11 +132,11 @@ impl<'a> Runner<'a> {
     ) -> Result<(Vec<Run>, Next), SimulationError> {
         let [coarse, others @ ..] = start.auxiliary();
         let middle = 0.5 * AUXILIARY;
-        let progress = |span| RunProgress { kind: "coarse mesh: ", span };
-        let mut runs = self.run_all(&[coarse], progress((0.0, middle)), watch)?;
+        let progress = |span, goes_on| RunProgress { kind: "coarse mesh: ", span, goes_on };
+        let mut runs = self.run_all(&[coarse], progress((0.0, middle), true), watch)?;
         // Without the first of them errors are unknown, and the others are not needed.
         if runs[0].failure.is_none() {
-            match self.run_all(&others, progress((middle, AUXILIARY)), watch) {
+            match self.run_all(&others, progress((middle, AUXILIARY), false), watch) {
                 Ok(others) => runs.extend(others),
                 Err(error) => return Ok((runs, Next::Failed(error))),
             }
@@ -194,7 +195,7 @@ impl<'a> Runner<'a> {
         self.presses().iter().filter(|press| !Arc::ptr_eq(press, &run.press)).map(|press| press.seconds).sum()
     }
 
-    /// Runs side by side; progress is that of the first.
+    /// Runs side by side; progress is that of the first, and none of the others goes on.
     fn run_all(
         &self,
         plan: &[Resolution],
@@ -210,7 +211,7 @@ impl<'a> Runner<'a> {
     /// A finer main run, and one on its coarse mesh.
     pub fn finer(&self, resolution: &Resolution) -> Result<[Run; 2], SimulationError> {
         self.watch.progress("slide", MAIN, "finer");
-        let progress = RunProgress { kind: "finer: ", span: (MAIN, 1.0) };
+        let progress = RunProgress { kind: "finer: ", span: (MAIN, 1.0), goes_on: false };
         let runs = self.run_all(&[*resolution, resolution.coarse()], progress, self.watch)?;
         Ok(runs.try_into().unwrap_or_else(|_| unreachable!("as many runs as planned")))
     }
@@ -268,37 +269,84 @@ impl<'a> Runner<'a> {
         slide.record_fields();
         let programme = self.conditions.programme.iter();
         let motions: Vec<Motion> = programme.map(|step| Motion::new(step, radius, &problem.units)).collect();
-        let failure = slide
-            .run(&motions, &|| watch.cancelled(), |done, history| {
-                if let Some(progress) = progress {
-                    let detail = progress.describe(&problem.units, history);
-                    watch.progress("slide", progress.at(done), &detail);
-                }
-            })
-            .err();
+        let end = slide.run(&motions, &|| watch.cancelled(), |done, history| {
+            if let Some(progress) = progress {
+                let detail = progress.describe(&problem.units, history);
+                watch.progress("slide", progress.at(done), &detail);
+            }
+        });
         slide.record_fields();
-        let mut timings = slide.mechanics.timings;
-        timings.add(Kernel::Rest, clock.elapsed().as_secs_f64() - timings.total());
-        timings.add(Kernel::Press, press.seconds);
         let mesh = &discretisation.mesh;
         let values = Values::new(problem, &press.increments, &slide.history);
         let effort = slide.mechanics.effort;
         let residual = press.effort.residual + effort.residual;
-        Ok(Run {
+        let mut run = Run {
             resolution: *resolution,
             values: values.with_expected_rise(self.conditions.expected_rise()).with_residual(residual),
+            steady: None,
             effort,
-            timings,
-            history: slide.history,
-            snapshots: slide.recorder.contact,
-            body: BodyFields::new(mesh, slide.recorder.bodies, &problem.units),
+            timings: Timings::default(),
+            history: slide.history.clone(),
+            snapshots: std::mem::take(&mut slide.recorder.contact),
+            body: BodyFields::new(mesh, std::mem::take(&mut slide.recorder.bodies), &problem.units),
             unknowns: mesh.field_length(3),
             cutbacks: slide.cutbacks,
-            contact: slide.mechanics.into_parts().1,
-            counterface: slide.heat.and_then(|heat| heat.counterface),
-            failure,
+            contact: slide.mechanics.contact.clone(),
+            counterface: slide.heat.as_ref().and_then(|heat| heat.counterface.clone()),
+            failure: None,
             press,
-        })
+        };
+        match end {
+            Ok(Some(motion)) if progress.is_some_and(|progress| progress.goes_on) => {
+                run.steady = self.go_on(&mut slide, motion, radius, watch);
+            }
+            end => run.failure = end.err(),
+        }
+        run.timings = slide.mechanics.timings;
+        run.timings.add(Kernel::Rest, clock.elapsed().as_secs_f64() - run.timings.total());
+        run.timings.add(Kernel::Press, run.press.seconds);
+        Ok(run)
+    }
+
+    /// Goes on with the last motion, if it slides, until the steady friction is known; `radius` is that of the contact after
+    /// the press. An increment that fails for good ends it.
+    fn go_on(
+        &self,
+        slide: &mut Slide<'_>,
+        motion: MotionInProgress,
+        radius: f64,
+        watch: &dyn Watch,
+    ) -> Option<SteadyState> {
+        let accuracy = self.pressed.numerics.accuracy;
+        let end = slide.history.len() - 1;
+        if !self.pressed.problem.law.has_friction() || !slide.is_sliding() {
+            return None;
+        }
+        if has_to_go_on(&slide.history, accuracy) {
+            slide.recorder = Recorder::default();
+            // The states before are the result.
+            let _ = slide.go_on(motion, LONGEST * radius, &|| watch.cancelled(), |history| {
+                has_gone_far_enough(history, accuracy)
+            });
+        }
+        let went_on = slide.history.len() > end + 1;
+        let longer = went_on.then(|| SteadyState::of_longer_slide(&slide.history, end, radius)).flatten();
+        let steady = longer.unwrap_or_else(|| SteadyState::of_slide(&slide.history[..=end]));
+        steady.ratio.value.is_finite().then_some(steady)
+    }
+
+    /// The steady state that the coarse mesh tells, with more room where its contact outgrew it before.
+    pub fn steady_state(&self, ladder: &mut Ladder) -> Option<SteadyState> {
+        let coarse = ladder.auxiliary.first()?;
+        let steady = coarse.steady?;
+        let wider = coarse.resolution.wider();
+        if !steady.lacks_room() || !self.conditions.fits(&wider) {
+            return Some(steady);
+        }
+        let progress = RunProgress { kind: "wider mesh: ", span: (1.0, 1.0), goes_on: true };
+        let Ok(run) = self.run(&wider, progress, self.watch) else { return Some(steady) };
+        ladder.given_up += run.slide_time();
+        run.steady.filter(|found| found.ratio.error < steady.ratio.error).or(Some(steady))
     }
 
     /// The pressed state revolved to all angles.

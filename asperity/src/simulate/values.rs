@@ -111,6 +111,13 @@ impl Values {
         self
     }
 
+    /// Takes the steady friction by its ratio to that at the end of the slide.
+    pub fn set_steady_friction(&mut self, ratio: Estimate) {
+        let steady = ratio.scaled(self.value(Quantity::Mu));
+        self.values[Quantity::MuSteady as usize] = steady.value;
+        self.brackets[Quantity::MuSteady as usize] = steady.error;
+    }
+
     /// With stagnant steps of this sum of relative residuals.
     pub fn with_residual(self, residual: f64) -> Self {
         Self { residual, ..self }
@@ -151,7 +158,7 @@ fn first_step(history: &[SlideState]) -> &[SlideState] {
 }
 
 /// The states of the last step of the programme that slides, with slip and time from its start.
-fn last_slip(history: &[SlideState]) -> Vec<SlideState> {
+pub(super) fn last_slip(history: &[SlideState]) -> Vec<SlideState> {
     let moved = |&n: &usize| history[n].slip != history[n - 1].slip;
     let step = (1..history.len()).rev().find(moved).map_or(0, |n| history[n].step);
     let start = history.iter().rposition(|state| state.step < step).unwrap_or(0);

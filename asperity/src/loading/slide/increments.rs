@@ -34,7 +34,7 @@ const WIDEST_INCEPTION: f64 = 0.05;
 const SHORTEST: f64 = 1e-6;
 
 /// Predictor of a step, extrapolated from the last states.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Predictor {
     pub displacement: Vec<f64>,
     pub interference: f64,
@@ -61,6 +61,7 @@ impl Predictor {
 }
 
 /// Upper end of the bracket of sliding inception: a state in which the contact slides.
+#[derive(Debug)]
 pub struct InceptionBracket {
     pub slip: f64,
     pub predictor: Predictor,
@@ -73,6 +74,7 @@ pub fn inception_width(softening: f64) -> f64 {
 }
 
 /// Chooses the increments of one slide.
+#[derive(Debug)]
 pub struct StepControl {
     distance: f64,
     /// Elastic displacement at gross slip.
@@ -119,6 +121,15 @@ impl StepControl {
     /// Whether an increment of length `increment` to the slip `slip` is too wide to hold sliding inception.
     pub fn is_wide(&self, increment: f64, slip: f64) -> bool {
         increment > (self.inception_width * slip).max(self.finest) * (1.0 + 1e-9)
+    }
+
+    pub fn distance(&self) -> f64 {
+        self.distance
+    }
+
+    /// Goes on to another distance.
+    pub fn extend(&mut self, distance: f64) {
+        self.distance = distance;
     }
 
     pub fn bracket(&self) -> Option<&InceptionBracket> {

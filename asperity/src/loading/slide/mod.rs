@@ -1,7 +1,7 @@
 //! The slide: increments of the flat's displacement s, mechanics and heat coupled in each.
 //!
-//! [`motion`]: slip at a constant rate or a hold; [`relaxation`]: the slip
-//! rate after the flat has slowed down; [`increments`]: lengths of the increments and the bracket of sliding inception; [`coupling`]:
+//! [`motion`]: slip at a constant rate or a hold; [`motion_in_progress`]: its increments one after the other; [`relaxation`]:
+//! the slip rate after the flat has slowed down; [`increments`]: lengths of the increments and the bracket of sliding inception; [`coupling`]:
 //! equilibrium of one increment with its contact edge, shear limits and temperature; [`state`]: the
 //! state after it with the totals of work and heat; [`invariants`]: conditions that every state meets.
 //!
@@ -15,6 +15,7 @@ mod friction_heat;
 pub mod increments;
 pub mod invariants;
 mod motion;
+mod motion_in_progress;
 mod relaxation;
 mod shear_limits;
 mod state;
@@ -28,9 +29,10 @@ use crate::solver::StopRequest;
 use crate::solver::newton::{LoadingControl, Mechanics, StepFailure, WEAKER_INTERFACE};
 use coupling::Equilibrium;
 use friction_heat::HeatSources;
-use increments::{InceptionBracket, Predictor, StepControl};
+use increments::Predictor;
 use invariants::Violation;
 pub use motion::Motion;
+pub use motion_in_progress::MotionInProgress;
 use relaxation::Relaxation;
 
 /// Plastic strain above which the body shears in place of the interface, if the stick area fraction is above
@@ -174,14 +176,15 @@ impl<'a> Slide<'a> {
         slide
     }
 
-    /// Makes the motions one after the other; `watch` is given the share done and the history.
+    /// Makes the motions one after the other; `watch` is given the share done and the history. Returns the last of them, to go
+    /// on with.
     pub fn run(
         &mut self,
         motions: &[Motion],
         stop: &StopRequest,
         mut watch: impl FnMut(f64, &[SlideState]),
-    ) -> Result<(), SlideFailure> {
-        let mut path = 0.0;
+    ) -> Result<Option<MotionInProgress>, SlideFailure> {
+        let (mut path, mut last) = (0.0, None);
         for (step, motion) in motions.iter().enumerate() {
             self.motion = *motion;
             if let Some(before) = step.checked_sub(1) {
@@ -195,98 +198,16 @@ impl<'a> Slide<'a> {
             self.mechanics.contact.start_motion();
             // Those of another rate are no first iterate.
             self.sources = HeatSources::default();
-            self.make(step, path, stop, |share, history| {
-                watch((step as f64 + share) / motions.len() as f64, history);
-            })?;
+            let mut in_progress = self.begin(step, path);
+            while !in_progress.has_arrived() {
+                watch((step as f64 + in_progress.share()) / motions.len() as f64, &self.history);
+                self.attempt(&mut in_progress, stop)?;
+            }
             path += motion.direction().abs() * motion.length();
+            last = Some(in_progress);
         }
         watch(1.0, &self.history);
-        Ok(())
-    }
-
-    /// Makes the present motion, the step `step` of the programme, after slip along `path`.
-    fn make(
-        &mut self,
-        step: usize,
-        path: f64,
-        stop: &StopRequest,
-        mut watch: impl FnMut(f64, &[SlideState]),
-    ) -> Result<(), SlideFailure> {
-        let (motion, start, length) = (self.motion, self.last().slip, self.motion.length());
-        let slides = motion.direction() != 0.0;
-        let mut control = self.step_control();
-        let (mut before, mut done_before) = (self.predictor(), 0.0);
-        // Distance, or time of a hold.
-        let mut done = 0.0;
-        let (mut failures, mut taken) = (0, true);
-        while done < length * (1.0 - 1e-9) {
-            watch(done / length, &self.history);
-            if stop() {
-                return Err(SlideFailure::Cancelled);
-            }
-            let next =
-                control.next(done, self.recorder.next_slip().filter(|_| slides).map(|slip| slip - path));
-            let committed = self.predictor();
-            let cover = self.mechanics.contact.contact_fraction.clone();
-            let guess = match control.bracket() {
-                // What changes in a hold decays: extrapolated over ever longer increments, what the solver's tolerance leaves
-                // would grow.
-                None if !slides => committed.clone(),
-                None => Predictor::between((&before, done_before), (&committed, done), next),
-                Some(end) => Predictor::between((&committed, done), (&end.predictor, end.slip), next),
-            };
-            let advance = Advance {
-                to: start + motion.direction() * next,
-                dt: motion.time(next - done),
-                seconds: motion.seconds(next - done, &self.problem.units),
-                slip_rate: self.slip_rate_after(next),
-                wide: slides && control.is_wide(next - done, next),
-            };
-            let attempt = self.step(step, advance, guess, stop);
-            let taken_before = std::mem::replace(&mut taken, attempt.is_ok());
-            match attempt {
-                Ok(Attempt::Taken) => {
-                    (before, done_before, done) = (committed, done, next);
-                    control.taken(done, self.last().stick_fraction, self.has_begun || !slides);
-                    let now = self.history.last().expect("stepped");
-                    if self.recorder.is_due(path + if slides { done } else { 0.0 }, now) {
-                        self.record_fields();
-                    }
-                }
-                Ok(Attempt::PastInception(predictor)) => {
-                    self.mechanics.restore(committed.displacement, cover);
-                    control.past_inception(done, InceptionBracket { slip: next, predictor });
-                }
-                Err(failure) => {
-                    self.mechanics.restore(committed.displacement, cover);
-                    failures += usize::from(taken_before);
-                    self.cut_back(&mut control, failure, failures)?;
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Shortens the next increment after a failed one; `failures` is the number of those that followed an increment that was
-    /// taken.
-    fn cut_back(
-        &mut self,
-        control: &mut StepControl,
-        failure: SlideFailure,
-        failures: usize,
-    ) -> Result<(), SlideFailure> {
-        if !failure.allows_cut_back() {
-            return Err(failure);
-        }
-        self.cutbacks += 1;
-        let distorted = self.distorted();
-        if distorted.is_some() && self.shears_without_limit || !control.cut_back() {
-            return Err(distorted.unwrap_or(failure));
-        }
-        match failures {
-            MOST_FAILURES => Err(SlideFailure::Discontinuous(failure.into())),
-            _ => Ok(()),
-        }
+        Ok(last)
     }
 
     /// The present state, from which the next ones are extrapolated.

@@ -13,7 +13,7 @@ use crate::loading::state::SlideState;
 
 /// Share of the heat flow into the asperity that the frictional heat has at least: while the contact
 /// sticks after a reversal, both bodies exchange heat without friction.
-const LEAST_FRICTIONAL: f64 = 0.01;
+const LEAST_FRICTIONAL: f64 = 0.5;
 
 impl Slide<'_> {
     /// The trial state with the totals of `previous`.

@@ -7,7 +7,7 @@ use tables::quantity::Quantity;
 
 use crate::scene::fitted_constants::error_estimates::{
     AREA_OF_PRESS, ELEMENTS, ENERGY, ENERGY_OF_WEAKENING, FRICTION, HIGHEST_RISE, INCEPTION_SLIP,
-    INTERFERENCES, LOAD, LOAD_OF_PRESS, MEAN_RISE,
+    INTERFERENCES, LOAD, LOAD_OF_PRESS, MEAN_RISE, STATIC_FRICTION,
 };
 
 /// Relative standard uncertainty of a quantity by the mesh, at ω₀/ω_c and n_c.
@@ -15,7 +15,8 @@ pub fn scatter(quantity: Quantity, interference: f64, elements_per_radius: usize
     use Quantity::*;
     let (share, of) = match quantity {
         // Friction is strength times area.
-        Mu | MuStatic | MuPeak | MuMean | MuSteady | Friction | FrictionStatic | Area => (1.0, FRICTION),
+        Mu | MuMean | MuSteady | Friction | Area => (1.0, FRICTION),
+        MuStatic | MuPeak | FrictionStatic => (1.0, STATIC_FRICTION),
         Load => (1.0, LOAD),
         EnergyRelease => (1.0, ENERGY),
         EnergyWeakening => (1.0, ENERGY_OF_WEAKENING),

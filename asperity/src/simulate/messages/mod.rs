@@ -25,6 +25,9 @@ pub enum Note {
     Resolution(Resolution),
     #[error("heat is {}", heat_in_words(.0, .1))]
     Heat(HeatChoice, HeatEffect),
+    /// Slip over the contact radius after the press.
+    #[error("the slide went on to {} contact radii for mu_steady", digits(*.0, 2))]
+    WentOn(f64),
     /// Share of the frictional heat that enters the asperity beside a conducting counterface.
     #[error(
         "the counterface conducts: {:.1} % of the frictional heat enters the asperity at the end of the slide, {:.1} % at its start{}",
@@ -191,6 +194,8 @@ pub(super) struct RunProgress {
     pub kind: &'static str,
     /// Shares of the whole at the start and at the end of the run.
     pub span: (f64, f64),
+    /// Whether the slide goes on until its steady friction is known.
+    pub goes_on: bool,
 }
 
 impl RunProgress {

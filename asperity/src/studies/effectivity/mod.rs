@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 
 pub use document::markdown;
 pub use record::{Record, Reported};
-pub use report::{JUDGED, Judged, QuantityReport, Report};
+pub use report::{Judged, QuantityReport, Report};
 
 use crate::output::journal_file::{JournalFile, decode};
 use crate::simulate::accuracy::resolution::Resolution;
@@ -63,11 +63,13 @@ impl Role {
 
     fn run(self, scene: usize, watch: &dyn Watch) -> Record {
         let begun = Instant::now();
-        let definition = scenes::study_scene(scene).scene();
+        let study = scenes::study_scene(scene);
+        let definition = study.scene();
         let mut record = Record::new(scene, self);
         let failure = match self.resolution(&Resolution::choose(&definition.numerics)) {
             None => {
-                simulate(&definition, watch).map(|outcome| record.reported = Some(Reported::of(&outcome)))
+                let reported = |outcome| Reported::of(&outcome, study.judged());
+                simulate(&definition, watch).map(|outcome| record.reported = Some(reported(outcome)))
             }
             // Each presses for itself, so that no run waits for the mesh of another.
             Some(resolution) => sample(&definition, definition.loading.slip_rate, &resolution, watch)

@@ -2,8 +2,9 @@
 //! repeating runs.
 
 use serde::{Deserialize, Serialize};
+use tables::quantity::Quantity;
 
-use super::{JUDGED, Role};
+use super::Role;
 use crate::output::provenance::FINGERPRINT;
 use crate::simulate::Sample;
 use crate::simulate::outcome::{ErrorSource, Outcome};
@@ -33,7 +34,7 @@ impl Record {
     }
 }
 
-/// What a run reports of the quantities [`JUDGED`], in their order, SI.
+/// What a run reports of the judged quantities, in their order, SI.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Reported {
     pub values: Vec<f64>,
@@ -44,13 +45,13 @@ pub struct Reported {
 }
 
 impl Reported {
-    pub fn of(outcome: &Outcome) -> Self {
-        let estimates = JUDGED.map(|quantity| outcome.scalars[quantity]);
-        let parts = |quantity| ErrorSource::ALL.map(|source| outcome.budget.part(source, quantity));
+    pub fn of(outcome: &Outcome, judged: &[Quantity]) -> Self {
+        let estimate = |&quantity| outcome.scalars[quantity];
+        let parts = |&quantity| ErrorSource::ALL.map(|source| outcome.budget.part(source, quantity));
         Self {
-            values: estimates.iter().map(|estimate| estimate.value).collect(),
-            errors: estimates.iter().map(|estimate| estimate.error).collect(),
-            parts: JUDGED.map(parts).to_vec(),
+            values: judged.iter().map(|quantity| estimate(quantity).value).collect(),
+            errors: judged.iter().map(|quantity| estimate(quantity).error).collect(),
+            parts: judged.iter().map(parts).collect(),
         }
     }
 }

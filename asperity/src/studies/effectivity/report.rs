@@ -6,11 +6,8 @@ use tables::quantity::Quantity;
 
 use super::{ELEMENTS, Record, Reported, Role, STEPS, scenes};
 use crate::loading::problem::Problem;
-use crate::simulate::outcome::MAIN;
 use crate::simulate::values::Values;
 
-/// Quantities that are judged.
-pub const JUDGED: [Quantity; 7] = MAIN;
 /// Relative to the value (to the rise, for temperatures): a true error below this counts as covered, as neither the
 /// error nor the estimate matters.
 pub const NEGLIGIBLE: f64 = 5e-4;
@@ -50,6 +47,7 @@ impl Judged {
 pub struct SceneReport {
     /// Its position, see [`scenes::study_scene`].
     pub scene: usize,
+    /// Without the quantities that its run does not determine.
     pub judged: Vec<Judged>,
 }
 
@@ -146,7 +144,8 @@ impl Report {
 
 /// The quantities of a scene from its runs; or the run that is missing.
 fn judge(scene: usize, records: &HashMap<Role, &Record>) -> Result<Vec<Judged>, Role> {
-    let scene = scenes::study_scene(scene).scene();
+    let study = scenes::study_scene(scene);
+    let scene = study.scene();
     let problem = Problem::new(&scene);
     let values = |role: Role| {
         let sample = records.get(&role).and_then(|record| record.sample.as_ref()).ok_or(role)?;
@@ -160,7 +159,7 @@ fn judge(scene: usize, records: &HashMap<Role, &Record>) -> Result<Vec<Judged>, 
         (values(Role::MoreSectors)?, 1.0),
         (values(Role::ShorterSteps)?, of_limit(STEPS, 1.0)),
     ];
-    let of = |(n, quantity): (usize, Quantity)| {
+    let of = |(n, &quantity): (usize, &Quantity)| {
         let here = base.value(quantity);
         let change: f64 = finer.iter().map(|(finer, factor)| factor * (finer.value(quantity) - here)).sum();
         let value = reported.values[n];
@@ -168,7 +167,8 @@ fn judge(scene: usize, records: &HashMap<Role, &Record>) -> Result<Vec<Judged>, 
         let scale = if quantity.is_temperature() { (value - start).max(1.0) } else { value.abs() };
         Judged { quantity, value, scale, reference: here + change, stated: reported.errors[n] }
     };
-    Ok(JUDGED.into_iter().enumerate().map(of).collect())
+    let determined = |judged: &Judged| judged.value.is_finite() && judged.stated.is_finite();
+    Ok(study.judged().iter().enumerate().map(of).filter(determined).collect())
 }
 
 #[cfg(test)]
