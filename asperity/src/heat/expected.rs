@@ -1,7 +1,7 @@
 //! Expected effect of heat on friction; it decides whether a slide is simulated with heat.
 //!
 //! Rise of temperature in the middle of a disc source, f_h τ₀ V a/k (Carslaw & Jaeger, Conduction of
-//! Heat in Solids, 1959, §10.5), and its effects: softening changes the strength; thermal expansion and
+//! Heat in Solids, 1959, §8.2), and its effects: softening changes the strength; thermal expansion and
 //! softer moduli change the load at constant interference.
 
 use crate::material::{SHEAR_RATIO, Solid};

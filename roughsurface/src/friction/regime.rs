@@ -15,7 +15,7 @@ pub fn plasticity_index(law: &dyn AsperityLaw, surface: &Surface) -> f64 {
     (surface.heights.standard_deviation() / critical).sqrt()
 }
 
-/// The regime of a plasticity index, after Greenwood & Williamson (1966).
+/// The regime of a plasticity index, after Greenwood & Williamson (1966), fully plastic after Kogut & Etsion (2003).
 pub fn regime(plasticity_index: f64) -> &'static str {
     match plasticity_index {
         ..0.6 => "elastic contact at any ordinary load",

@@ -29,7 +29,7 @@ pub struct Summits {
 }
 
 /// Points per cut-off of the grid that is searched: with four, 23 % of the summits of a self-affine surface lie
-/// between points none of which is above its neighbours, with sixteen 1 %.
+/// between points none of which is above its neighbours, with sixteen up to 3 %, the lowest ones.
 const POINTS_PER_CUTOFF: f64 = 16.0;
 
 /// Points of the refined grid at most: 1 GB.

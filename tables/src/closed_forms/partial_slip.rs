@@ -20,7 +20,7 @@ pub const SHORTEST_INCEPTION: f64 = 5.0;
 /// rate of 1 m/s; in proportion to the stress and to the inverse of the slip rate.
 ///
 /// The centre of a disc under the uniform shear traction τ̄ is displaced by (2 − ν)τ̄a/(2G) (Johnson 1985,
-/// Contact Mechanics, section 3.9): after that slip the last point slips. With c_s² = G/ρ the ratio is
+/// Contact Mechanics, section 3.7): after that slip the last point slips. With c_s² = G/ρ the ratio is
 /// (2 − ν)τ̄/(2ρc_sV).
 pub fn inception_time(youngs_modulus: f64, poisson_ratio: f64, density: f64) -> f64 {
     let shear_modulus = 0.5 * youngs_modulus / (1.0 + poisson_ratio);

@@ -55,8 +55,8 @@ pub(super) fn has_temperatures(file: &DatasetReader) -> Result<bool, DatasetErro
         }
         None => {
             let what = format!(
-                "is not a table: global attribute \"schema\" is missing (if it is a table of before \
-                 schema version 1, {again})"
+                "is not a table: global attribute \"schema\" is missing (a table is written by `asperity tabulate`, not by \
+                 `asperity run`; if it is one of before schema version 1, {again})"
             );
             return Err(file.content(what));
         }

@@ -21,6 +21,10 @@ pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result
                 place: source.place(&full),
                 key: full,
                 hint: match meant(path, name) {
+                    // Sections of a surface file.
+                    None if path.is_empty() && ["surface", "query"].contains(&name.as_str()) => {
+                        "the file is one of a surface, for `roughsurface`; a scene has [material], [asperity] and [loading]".into()
+                    }
                     Some(key) => format!("did you mean {key}? (known: {})", known.join(", ")),
                     None => hint(name, &known),
                 },

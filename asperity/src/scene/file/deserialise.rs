@@ -43,8 +43,20 @@ fn explain<T: DeserializeOwned>(
             let given = table.get("material").and_then(Value::as_table);
             let lacks = |key: &&str| given.is_none_or(|given| !given.contains_key(*key));
             let missing: Vec<&str> = presets::REQUIRED.into_iter().filter(lacks).collect();
-            let allowed = format!("given, or preset one of {}", presets::names().join(", "));
-            return source.missing(join("material", &missing.join(", ")), allowed);
+            let names = presets::names().join(", ");
+            return match missing.len() == presets::REQUIRED.len() {
+                true => {
+                    let properties = missing.join(", ");
+                    source.missing(
+                        "material.preset",
+                        format!("one of {names}; or {properties} given in its place"),
+                    )
+                }
+                false => source.missing(
+                    join("material", &missing.join(" and material.")),
+                    format!("given, or material.preset one of {names}"),
+                ),
+            };
         }
         return source.missing(full, allowed::<T>(&inner, table, keys));
     }

@@ -102,7 +102,7 @@ fn as_in_tables(position: usize) -> StudyScene {
         load_held: position % 5 == 4,
         strain_by_press: true,
         as_in_tables: true,
-        rate_law: position % 3 == 0 && position % PRESETS.len() != WITHOUT_RATE_LAW,
+        rate_law: position.is_multiple_of(3) && position % PRESETS.len() != WITHOUT_RATE_LAW,
     }
 }
 

@@ -129,6 +129,9 @@ impl SurfaceFile {
         moved: Option<(&Parameter, f64)>,
     ) -> Result<Self, SurfaceFileError> {
         let content = |line: Option<usize>, what: String| content(file, line, what);
+        if text.trim().is_empty() {
+            return Err(content(None, "is empty".into()));
+        }
         let deserializer = toml::Deserializer::parse(&text)
             .map_err(|error| content(line_of(&text, error.span()), syntax_error(&text, &error)))?;
         let keys: FileKeys = serde_path_to_error::deserialize(deserializer).map_err(|error| {
