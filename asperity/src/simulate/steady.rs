@@ -9,10 +9,10 @@
 //! Δμ from s/4 to s is one by up to 2Δμ/√Fo from s to the steady state. Friction that falls ends between its present
 //! value and zero.
 //!
-//! Most slides end before they are steady. The main run therefore goes on beyond its end until the uncertainty by its length
-//! is small beside the accuracy; μ_∞ is then of least squares over the last states. The other scalars are those at the end of the
-//! slide. Where the contact outgrows the mesh before, a run on the coarse mesh with more room goes on in its place. The steady
-//! friction of all runs is their own friction at the end of the slide times the ratio of both in the run that went on.
+//! Most slides end before they are steady. The first auxiliary run therefore goes on beyond its end until the uncertainty by
+//! its length is small beside the accuracy; μ_∞ is then of least squares over the last states. Where the contact outgrows the
+//! mesh before, a run with more room goes on too. The steady friction of all runs is their own friction at the end of the
+//! slide times the ratio of both in the run that went on. The other scalars are those at the end of the slide.
 
 use std::f64::consts::PI;
 
@@ -26,7 +26,7 @@ use crate::simulate::values::last_slip;
 pub const LONGEST: f64 = 1000.0;
 /// Share of the accuracy up to which the uncertainty by the length of a slide does not matter.
 const SHARE_OF_ACCURACY: f64 = 0.5;
-/// Uncertainty of the change of friction to the steady state on the mesh half as fine, over that change.
+/// Uncertainty of the change of friction to the steady state on the coarse mesh, over that change.
 const OF_COARSE_MESH: f64 = 0.1;
 /// Relative uncertainty of the steady friction that is worth a further run.
 const WORTH_A_RUN: f64 = 0.1;
