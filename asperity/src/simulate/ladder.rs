@@ -65,7 +65,7 @@ impl Ladder {
 
     /// Takes the steady friction of each run by its ratio to that at the end of the slide.
     pub fn set_steady_friction(&mut self, steady: SteadyState) {
-        self.notes.extend(steady.slip.map(Note::WentOn));
+        self.notes.push(Note::WentOn(steady.slip));
         for run in self.auxiliary.iter_mut().chain(&mut self.main).chain(&mut self.coarse) {
             run.values.set_steady_friction(steady.ratio);
         }

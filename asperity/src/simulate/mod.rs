@@ -214,9 +214,15 @@ fn slide_in_pool(
         }
         budget = runner.judge(&ladder);
     }
-    if let Some(steady) = runner.steady_state(&mut ladder) {
-        ladder.set_steady_friction(steady);
-        budget = runner.judge(&ladder);
+    if !stopped {
+        match runner.steady_state(&mut ladder) {
+            Ok(Some(steady)) => {
+                ladder.set_steady_friction(steady);
+                budget = runner.judge(&ladder);
+            }
+            Ok(None) => {}
+            Err(_) => stopped = true,
+        }
     }
     watch.progress("slide", 1.0, "");
     let wall_time = pressed.wall_time + clock.elapsed().as_secs_f64();

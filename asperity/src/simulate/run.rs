@@ -22,7 +22,7 @@ pub(super) struct Run {
     pub press: Arc<PressedMesh>,
     pub history: Vec<SlideState>,
     pub values: Values,
-    /// Of a run that went on beyond its end, where it slides to it.
+    /// Of a run that went on beyond its end.
     pub steady: Option<SteadyState>,
     pub snapshots: Vec<Snapshot>,
     pub body: Option<BodyFields>,

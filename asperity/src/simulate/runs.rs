@@ -308,8 +308,8 @@ impl<'a> Runner<'a> {
         Ok(run)
     }
 
-    /// Goes on with the last motion, if it slides, until the steady friction is known; `radius` is that of the contact after
-    /// the press. An increment that fails for good ends it.
+    /// Goes on with the last motion, if it slides and its steady friction is not known, until it is; `radius` is that of the
+    /// contact after the press. An increment that fails for good ends it.
     fn go_on(
         &self,
         slide: &mut Slide<'_>,
@@ -322,31 +322,37 @@ impl<'a> Runner<'a> {
         if !self.pressed.problem.law.has_friction() || !slide.is_sliding() {
             return None;
         }
-        if has_to_go_on(&slide.history, accuracy) {
-            slide.recorder = Recorder::default();
-            // The states before are the result.
-            let _ = slide.go_on(motion, LONGEST * radius, &|| watch.cancelled(), |history| {
-                has_gone_far_enough(history, accuracy)
-            });
+        if !has_to_go_on(&slide.history, accuracy) {
+            return None;
         }
-        let went_on = slide.history.len() > end + 1;
-        let longer = went_on.then(|| SteadyState::of_longer_slide(&slide.history, end, radius)).flatten();
-        let steady = longer.unwrap_or_else(|| SteadyState::of_slide(&slide.history[..=end]));
-        steady.ratio.value.is_finite().then_some(steady)
+        slide.recorder = Recorder::default();
+        let ended = slide.go_on(motion, LONGEST * radius, &|| watch.cancelled(), |history| {
+            has_gone_far_enough(history, accuracy)
+        });
+        let outgrew = matches!(ended, Err(SlideFailure::OutgrewMesh { .. }));
+        SteadyState::of_longer_slide(&slide.history, end, (radius, outgrew))
     }
 
     /// The steady state that the coarse mesh tells, with more room where its contact outgrew it before.
-    pub fn steady_state(&self, ladder: &mut Ladder) -> Option<SteadyState> {
-        let coarse = ladder.auxiliary.first()?;
-        let steady = coarse.steady?;
-        let wider = coarse.resolution.wider();
+    pub fn steady_state(&self, ladder: &mut Ladder) -> Result<Option<SteadyState>, SimulationError> {
+        let coarse = ladder.auxiliary.first().filter(|_| ladder.result().failure.is_none());
+        let Some((steady, wider)) = coarse.and_then(|run| Some((run.steady?, run.resolution.wider()))) else {
+            return Ok(None);
+        };
         if !steady.lacks_room() || !self.conditions.fits(&wider) {
-            return Some(steady);
+            return Ok(Some(steady));
         }
         let progress = RunProgress { kind: "wider mesh: ", span: (1.0, 1.0), goes_on: true };
-        let Ok(run) = self.run(&wider, progress, self.watch) else { return Some(steady) };
-        ladder.given_up += run.slide_time();
-        run.steady.filter(|found| found.ratio.error < steady.ratio.error).or(Some(steady))
+        let found = match self.run(&wider, progress, self.watch) {
+            Ok(run) if run.is_cancelled() => return Err(SimulationError::Cancelled { partial: None }),
+            Err(error @ SimulationError::Cancelled { .. }) => return Err(error),
+            Ok(run) => {
+                ladder.given_up += run.slide_time();
+                run.steady
+            }
+            Err(_) => None,
+        };
+        Ok(found.filter(|found| found.ratio.error < steady.ratio.error).or(Some(steady)))
     }
 
     /// The pressed state revolved to all angles.

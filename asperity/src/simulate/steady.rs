@@ -66,39 +66,38 @@ fn is_known(steady: Estimate, history: &[SlideState], accuracy: f64) -> bool {
     steady.error <= SHARE_OF_ACCURACY * accuracy * now.abs()
 }
 
-/// The steady friction that a slide tells.
+/// The steady friction that a slide tells which went on beyond its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteadyState {
     /// μ_∞ over the friction at the end of the slide.
     pub ratio: Estimate,
-    /// Slip to which the slide went on for it, over the contact radius after the press; none where it did not.
-    pub slip: Option<f64>,
+    /// Slip to which the slide went on, over the contact radius after the press.
+    pub slip: f64,
+    /// Whether the contact outgrew its mesh there.
+    outgrew_mesh: bool,
 }
 
 impl SteadyState {
-    /// Of a slide up to its end.
-    pub fn of_slide(history: &[SlideState]) -> Self {
-        let latest = last_slip(history);
-        let now = latest.last().map_or(0.0, SlideState::mu);
-        Self { ratio: steady_friction(&latest).scaled(1.0 / now), slip: None }
-    }
-
-    /// Of a slide that went on beyond the slip of its state `end`, with the contact `radius` after the press; none where
-    /// heat has not diffused through the contact. As on the coarse mesh of the auxiliary runs, a share of the change to the
-    /// steady state is uncertain.
-    pub fn of_longer_slide(history: &[SlideState], end: usize, radius: f64) -> Option<Self> {
+    /// Of a slide that went on beyond the slip of its state `end`, with the contact `radius` after the press and whether it
+    /// outgrew its mesh; none where heat has not diffused through the contact. As on the coarse mesh of the auxiliary runs, a
+    /// share of the change to the steady state is uncertain.
+    pub fn of_longer_slide(
+        history: &[SlideState],
+        end: usize,
+        (radius, outgrew_mesh): (f64, bool),
+    ) -> Option<Self> {
         let latest = last_slip(history);
         let end = latest[end + latest.len() - history.len()].slip;
         let ratio =
             fitted_friction(&latest)?.over(Line::through(&latest, (0.25 * end, 4.0 * end), end)?.at(NOW));
-        let of_mesh = OF_COARSE_MESH * (ratio.value - 1.0).abs();
-        let ratio = Estimate { error: ratio.error + of_mesh, ..ratio };
-        Some(Self { ratio, slip: Some(latest.last()?.slip / radius) })
+        let error = ratio.error + OF_COARSE_MESH * (ratio.value - 1.0).abs();
+        let slip = latest.last()?.slip / radius;
+        ratio.value.is_finite().then_some(Self { ratio: Estimate { error, ..ratio }, slip, outgrew_mesh })
     }
 
     /// Whether it is so uncertain that a slide with more room for its contact to grow is worth its time.
     pub fn lacks_room(&self) -> bool {
-        self.ratio.error > WORTH_A_RUN && self.slip.is_none_or(|slip| slip < 0.5 * LONGEST)
+        self.outgrew_mesh && self.ratio.error > WORTH_A_RUN && self.slip < 0.5 * LONGEST
     }
 }
 
@@ -130,9 +129,10 @@ struct Line {
 }
 
 impl Line {
-    /// Through the states, at least four, with slips in a range.
+    /// Through the states of full slip, at least four, with slips in a range.
     fn through(history: &[SlideState], (from, to): (f64, f64), end: f64) -> Option<Self> {
-        let states = history.iter().filter(|state| (from..=to).contains(&state.slip));
+        let is_meant = |state: &&SlideState| state.slides() && (from..=to).contains(&state.slip);
+        let states = history.iter().filter(is_meant);
         let points: Vec<_> = states.map(|state| ((end / state.slip).sqrt(), state.mu())).collect();
         let n = points.len() as f64;
         let mean = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / n;

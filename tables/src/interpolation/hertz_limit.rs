@@ -15,7 +15,7 @@
 //! - Thermal expansion raises load and area at a slip rate over those at the slowest one of the table. The excess of this ratio
 //!   over 1 is kept for the area, and a power of ω for the load: both are multiplied by it, in place of a part of their ratio
 //!   to the elastic sphere.
-//! - The slip at inception and the energy G contain plastic flow of the asperity: w = ω/ω₁.
+//! - The slip at inception and the energy G contain plastic flow of the asperity: w = (ω/ω₁)^0.85.
 //!
 //! The temperature rise is in proportion to the contact radius. If the interface has no limit of the shear traction, or
 //! the table does not state it, Q/P has the value of the first row.
@@ -31,7 +31,8 @@ use crate::table::Metadata;
 /// `asperity calibrate`.
 pub const UPLIFT: f64 = 0.003;
 
-/// Uncertainty of a constant ratio to the elastic sphere (w = 1), over its difference from 1. Thermal expansion
+/// Uncertainty of a constant ratio to the elastic sphere (w = 1) at the slowest slip rate, and of a constant effect of heat,
+/// over its difference from 1: that of a hot ratio, which is as large as both. Thermal expansion
 /// raises the load of 4340 steel at 10 m/s to 1.42, 1.46, 1.49 and 1.53 times Hertz's at ω/ω_c = 0.1, 0.07, 0.05
 /// and 0.03; for titanium 0.3 does not cover the change. Repeated by `asperity calibrate`.
 pub const UNCERTAINTY_OF_KEPT_RATIO: f64 = 0.6;
@@ -178,7 +179,7 @@ impl ElasticSphere {
             values[friction] = per_area * of_strength;
             let ratio = if elastic > 0.0 { of_strength / elastic } else { 1.0 };
             let thermal = (ratio - 1.0).abs() * (1.0 - below.thermal_weight());
-            uncertainty[friction] = uncertainty[area] + thermal;
+            uncertainty[friction] = uncertainty[area].max(uncertainty[load]) + thermal;
             // As a scalar has it: uplift decreases load and area alike.
             uncertainty[COEFFICIENT] = uncertainty[area] + uncertainty[load] - uplift + thermal;
         } else if row[load] != 0.0 {
@@ -206,7 +207,7 @@ pub(super) fn extrapolated(elastic: f64, elastic_at_row: f64, row: f64, weight: 
 /// expansion.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HeatRatio {
-    first_row: f64,
+    pub(super) first_row: f64,
     /// Of ω in its excess over 1.
     exponent: f64,
 }
@@ -226,16 +227,18 @@ impl HeatRatio {
         [second, second_slowest]: [f64; 2],
         log_ratio: f64,
     ) -> Self {
-        /// Expansion per interference, of a rise between those in proportion to the contact radius and to its root.
+        /// Smallest exponent of the shipped tables, of the titanium alloy at 10 m/s, rounded.
         const LEAST: f64 = -0.6;
         let here = Self::constant([value, slowest]);
         let excess = [here.first_row, second / second_slowest].map(|ratio| (ratio - 1.0).max(0.0));
         let exponent = (excess[1] / excess[0]).ln() / log_ratio;
-        if exponent.is_finite() { Self { exponent: exponent.clamp(LEAST, 0.0), ..here } } else { here }
+        if exponent.is_nan() { here } else { Self { exponent: exponent.clamp(LEAST, 0.0), ..here } }
     }
 
+    /// Constant below a hundredth of the first row.
     fn at(self, below: BelowFirstRow) -> f64 {
-        1.0 + (self.first_row - 1.0) * (self.exponent * below.log_ratio).exp()
+        let log_ratio = below.log_ratio.max(0.01f64.ln());
+        1.0 + (self.first_row - 1.0) * (self.exponent * log_ratio).exp()
     }
 
     /// Relative uncertainty of that.
@@ -283,10 +286,10 @@ impl BelowFirstRow {
         (0.85 * self.log_ratio).exp()
     }
 
-    /// Relative uncertainty of a quantity with that weight, by its ratio to the elastic sphere in the first row: the
+    /// Relative uncertainty of a quantity with that weight, by its ratio to the elastic sphere in the first row: 1.25 times the
     /// difference to a weight of √(ω/ω₁).
     pub(super) fn plastic_uncertainty(self, ratio: f64) -> f64 {
-        let uncertainty = ratio.ln().abs() * (self.thermal_weight() - self.plastic_weight());
+        let uncertainty = 1.25 * ratio.ln().abs() * (self.thermal_weight() - self.plastic_weight());
         if uncertainty.is_finite() { uncertainty } else { 0.0 }
     }
 

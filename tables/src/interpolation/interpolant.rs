@@ -115,6 +115,7 @@ impl Interpolant {
     /// The slip rate (m/s) there, for the strain rate.
     pub(super) fn slip_rate_at(&self, Location { index, t }: Location) -> f64 {
         match self.slip_rate[index..] {
+            [0.0, next, ..] => t * next,
             [here, next, ..] if t > 0.0 => here.powf(1.0 - t) * next.powf(t),
             [here, ..] => here,
             [] => 0.0,

@@ -261,8 +261,13 @@ impl AsperityLaw for InterpolatedTable {
         let ratio = self.radius_ratio(radius)?;
         let rate = self.located_rate(0.0, slip_rate, ratio)?;
         let column = self.interpolant.at_rate(rate);
+        let first = self.interpolant.rows.map_or(0.0, |(first, _)| self.axes().interference[first]);
         Ok(Box::new(move |interference, slip| {
             self.check_interference(interference)?;
+            // The effect of heat there is taken from the slowest slip rate and the strain rate.
+            if interference < first {
+                return self.response(radius, interference, slip_rate, slip);
+            }
             let state = |slip| column.state(interference, Location::on(0), slip);
             self.scaled(interference, ratio, slip, state)
                 // The general lookup gives the reason of an error.

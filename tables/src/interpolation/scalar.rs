@@ -188,14 +188,19 @@ impl FirstRow<'_> {
         match limit {
             ElasticLimit::TemperatureRise => below.rise_uncertainty(),
             _ if quantity.descriptor().of_press && below.press_weight() == 1.0 => 0.0,
-            _ if quantity.descriptor().of_press => sliding,
+            // Without heat.
+            _ if quantity.descriptor().of_press => below
+                .ratio_uncertainty(self.load / self.heat[0].first_row / sphere.load(first))
+                .max(below.ratio_uncertainty(self.area / self.heat[1].first_row / sphere.area(first))),
             ElasticLimit::SlidingFriction if self.has_friction() => {
                 sliding + sphere.uplift_uncertainty(below) + thermal(row)
             }
             ElasticLimit::SlidingCoefficient if self.has_friction() => {
                 of_load + of_area + sphere.uplift_uncertainty(below) + thermal(row * self.load)
             }
-            ElasticLimit::StaticCoefficient => of_load + of_area + sphere.uplift_uncertainty(below),
+            ElasticLimit::StaticCoefficient if self.has_friction() => {
+                of_load + of_area + sphere.uplift_uncertainty(below)
+            }
             ElasticLimit::InceptionSlip | ElasticLimit::EnergyRelease if self.has_friction() => {
                 below.plastic_uncertainty(row / self.elastic_inception(limit, first))
                     + sphere.uplift_uncertainty(below)

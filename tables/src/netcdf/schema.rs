@@ -56,7 +56,7 @@ pub(super) fn has_temperatures(file: &DatasetReader) -> Result<bool, DatasetErro
         None => {
             let what = format!(
                 "is not a table: global attribute \"schema\" is missing (a table is written by `asperity tabulate`, not by \
-                 `asperity run`; if it is one of before schema version 1, {again})"
+                 `asperity run`; if it was written before schema version 1, {again})"
             );
             return Err(file.content(what));
         }

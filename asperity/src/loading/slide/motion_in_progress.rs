@@ -69,7 +69,7 @@ impl Slide<'_> {
         const MOST_CUTBACKS: usize = 5;
         motion.control.extend(distance);
         let most = self.cutbacks + MOST_CUTBACKS;
-        while !motion.has_arrived() && self.cutbacks <= most && !is_enough(&self.history) {
+        while !motion.has_arrived() && self.cutbacks < most && !is_enough(&self.history) {
             self.attempt(&mut motion, stop)?;
         }
         Ok(())

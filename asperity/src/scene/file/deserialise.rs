@@ -44,19 +44,12 @@ fn explain<T: DeserializeOwned>(
             let lacks = |key: &&str| given.is_none_or(|given| !given.contains_key(*key));
             let missing: Vec<&str> = presets::REQUIRED.into_iter().filter(lacks).collect();
             let names = presets::names().join(", ");
-            return match missing.len() == presets::REQUIRED.len() {
-                true => {
-                    let properties = missing.join(", ");
-                    source.missing(
-                        "material.preset",
-                        format!("one of {names}; or {properties} given in its place"),
-                    )
-                }
-                false => source.missing(
-                    join("material", &missing.join(" and material.")),
-                    format!("given, or material.preset one of {names}"),
-                ),
-            };
+            if missing.len() < presets::REQUIRED.len() {
+                let allowed = format!("given, or preset one of {names}");
+                return source.missing(join("material", &missing.join(", ")), allowed);
+            }
+            let allowed = format!("one of {names}; or {} given in its place", missing.join(", "));
+            return source.missing("material.preset", allowed);
         }
         return source.missing(full, allowed::<T>(&inner, table, keys));
     }

@@ -26,7 +26,7 @@ pub enum Note {
     #[error("heat is {}", heat_in_words(.0, .1))]
     Heat(HeatChoice, HeatEffect),
     /// Slip over the contact radius after the press.
-    #[error("the slide went on to {} contact radii for mu_steady", digits(*.0, 2))]
+    #[error("a slide on the coarse mesh went on to {} contact radii for mu_steady", digits(*.0, 2))]
     WentOn(f64),
     /// Share of the frictional heat that enters the asperity beside a conducting counterface.
     #[error(

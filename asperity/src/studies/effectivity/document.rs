@@ -9,10 +9,10 @@ use super::{ELEMENTS, SECTORS, STEPS, scenes};
 
 const SHORT: &str = "Slides by two contact radii against an isothermal flat.";
 const AS_IN_TABLES: &str = "\
-Slides by 20 contact radii (titanium 10) against a rigid body of the same metal that conducts heat. A third of the metals with published\n\
-constants have their rate law. Quantities that a run does not determine are left out (–). Of `mu_steady`, whose slide goes on, and\n\
+Slides by 20 contact radii (titanium 10) against a rigid body of the same metal that conducts heat, R = 1 mm. A third of the\n\
+scenes of metals with published constants have their rate law, a fifth hold the load. Quantities that a run does not determine are left out (–). Of `mu_steady`, whose slide goes on, and\n\
 `G_weakening`, which is close to 0 at low slip rates, nothing is said. The first half is used for constants of static friction,\n\
-load and slip at inception above 10 ω_c.";
+load and slip at inception above 1 ω_c.";
 
 /// What was found, over quantities and over scenes.
 pub fn markdown(report: &Report) -> String {
@@ -34,7 +34,7 @@ pub fn markdown(report: &Report) -> String {
     let parts = [
         (0..scenes::USED, "Scenes used for constants of the estimates", SHORT),
         (scenes::USED..scenes::SHORT, "Scenes used for no constant", SHORT),
-        (scenes::SHORT..scenes::COUNT, "Scenes as in the shipped tables", AS_IN_TABLES),
+        (scenes::SHORT..scenes::COUNT, "Scenes like those of the shipped tables", AS_IN_TABLES),
     ];
     for (positions, title, what) in parts {
         let judged = scenes::study_scene(positions.start).judged();

@@ -92,7 +92,7 @@ fn short(position: usize) -> StudyScene {
 }
 
 fn as_in_tables(position: usize) -> StudyScene {
-    // Of each preset that has a rate law in every third scene.
+    /// Position of the preset without constants of a rate law.
     const WITHOUT_RATE_LAW: usize = 7;
     let preset = PRESETS[position % PRESETS.len()];
     StudyScene {
