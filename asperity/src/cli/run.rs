@@ -156,7 +156,11 @@ fn summary(scene: &Scene, outcome: &Outcome, incomplete: Option<&str>) -> String
         let _ = writeln!(text, "{name:17} {value}");
     };
     if let Some(reason) = incomplete {
-        line("completion", format!("incomplete: {reason}; the values are those of the last state"));
+        let values = match outcome.account.warnings.contains(&Warning::StoppedBeforeFurtherRun) {
+            true => "the slide is complete, a further run of it is missing",
+            false => "the values are those of the last state",
+        };
+        line("completion", format!("incomplete: {reason}; {values}"));
     }
     let interference = scene.loading.interference;
     let length = numbers::digits(interference * outcome.critical_interference, 4);

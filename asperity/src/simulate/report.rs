@@ -166,7 +166,7 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
             .map(Warning::OutsideTable),
     );
     if stopped {
-        warnings.push(Warning::StoppedBeforeRefinement);
+        warnings.push(Warning::StoppedBeforeFurtherRun);
     }
     warnings
 }

@@ -29,8 +29,8 @@ pub enum Warning {
     /// A run did not finish.
     #[error("the main run or an auxiliary run did not finish: errors of the slide are unknown")]
     ErrorsUnknown,
-    #[error("stopped before the run was repeated more finely")]
-    StoppedBeforeRefinement,
+    #[error("stopped before a further run, on a finer mesh or for the steady friction")]
+    StoppedBeforeFurtherRun,
     /// The results are those of a run that another was to follow, which did not begin or was given up.
     #[error(
         "the main run on the mesh that is required did not begin or was given up: the results are those of another run, with {elements_per_radius} elements per contact radius and {sectors} sectors"
