@@ -20,7 +20,6 @@ use tables::quantity::{COVERAGE_FACTOR, Estimate};
 
 use crate::loading::inception::between;
 use crate::loading::state::SlideState;
-use crate::simulate::values::last_slip;
 
 /// Longest slide in which the steady state is sought, over the contact radius after the press.
 pub const LONGEST: f64 = 1000.0;
@@ -46,6 +45,16 @@ pub fn steady_friction(history: &[SlideState]) -> Estimate {
     bounded(last, mu(last.slip), value, [value - tends_to(0.5 * last.slip), 0.0])
 }
 
+/// The states of the last step of the programme that slides, with slip and time from its start.
+pub fn last_slip(history: &[SlideState]) -> Vec<SlideState> {
+    let moved = |&n: &usize| history[n].slip != history[n - 1].slip;
+    let step = (1..history.len()).rev().find(moved).map_or(0, |n| history[n].step);
+    let start = history.iter().rposition(|state| state.step < step).unwrap_or(0);
+    let (slip, time) = (history[start].slip, history[start].time);
+    let within = history[start..].iter().take_while(|state| state.step <= step);
+    within.map(|&i| SlideState { slip: (i.slip - slip).abs(), time: i.time - time, ..i }).collect()
+}
+
 /// Whether a slide has to go on for its steady friction to be known to a share of the `accuracy`.
 pub fn has_to_go_on(history: &[SlideState], accuracy: f64) -> bool {
     let latest = last_slip(history);
@@ -66,7 +75,7 @@ fn is_known(steady: Estimate, history: &[SlideState], accuracy: f64) -> bool {
     steady.error <= SHARE_OF_ACCURACY * accuracy * now.abs()
 }
 
-/// The steady friction that a slide tells which went on beyond its end.
+/// Steady friction by a slide that went on beyond its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteadyState {
     /// μ_∞ over the friction at the end of the slide.

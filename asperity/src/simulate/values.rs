@@ -8,7 +8,7 @@ use crate::loading::inception::{Inception, InceptionCriterion, between, inceptio
 use crate::loading::press::Increment;
 use crate::loading::problem::{Problem, Units};
 use crate::loading::state::SlideState;
-use crate::simulate::steady::steady_friction;
+use crate::simulate::steady::{last_slip, steady_friction};
 
 /// Relative change of μ over the last quarter of the slide below which it is steady.
 const STEADY_CHANGE: f64 = 0.02;
@@ -155,16 +155,6 @@ fn of_inception(inception: &Inception, quantity: Quantity, units: &Units) -> Opt
 /// The states of the first step of the programme.
 fn first_step(history: &[SlideState]) -> &[SlideState] {
     &history[..history.iter().take_while(|state| state.step == 0).count()]
-}
-
-/// The states of the last step of the programme that slides, with slip and time from its start.
-pub(super) fn last_slip(history: &[SlideState]) -> Vec<SlideState> {
-    let moved = |&n: &usize| history[n].slip != history[n - 1].slip;
-    let step = (1..history.len()).rev().find(moved).map_or(0, |n| history[n].step);
-    let start = history.iter().rposition(|state| state.step < step).unwrap_or(0);
-    let (slip, time) = (history[start].slip, history[start].time);
-    let within = history[start..].iter().take_while(|state| state.step <= step);
-    within.map(|&i| SlideState { slip: (i.slip - slip).abs(), time: i.time - time, ..i }).collect()
 }
 
 /// ∫Q ds/∫P |ds| over the slide, trapezoidal; 0 without load. Q reverses with slip.

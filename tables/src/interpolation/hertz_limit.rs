@@ -11,7 +11,6 @@
 //!   *Self similar solutions to adhesive contact problems with incremental loading*, Proc. R. Soc. Lond. A 305, 55
 //!   (1968), doi 10.1098/rspa.1968.0105). Softening by heat changes Q/A; it is in proportion to the contact radius,
 //!   and w = √(ω/ω₁) for Q/A.
-//!
 //! - Thermal expansion raises load and area at a slip rate over those at the slowest one of the table. The excess of this ratio
 //!   over 1 is kept for the area, and a power of ω for the load: both are multiplied by it, in place of a part of their ratio
 //!   to the elastic sphere.

@@ -11,8 +11,8 @@ use super::friction_heat::contact_rise;
 use crate::interface::contact::FlatPosition;
 use crate::loading::state::SlideState;
 
-/// Share of the heat flow into the asperity that the frictional heat has at least: while the contact
-/// sticks after a reversal, both bodies exchange heat without friction.
+/// Least frictional heat of an increment over the heat that enters or leaves the asperity, of which the partition is taken:
+/// while the contact sticks after a reversal, both bodies exchange heat without friction.
 const LEAST_FRICTIONAL: f64 = 0.5;
 
 impl Slide<'_> {
