@@ -1,5 +1,5 @@
-//! Correction of discretisation errors of known sign: the slip at sliding inception and G are too small or too large on
-//! average, by an amount that depends on the interference. Reported values contain it (JCGM 100:2008, 3.2.4); what remains
+//! Correction of discretisation errors of known sign: the slip at sliding inception, G and static friction are too small or
+//! too large on average, by an amount that depends on the interference. Reported values contain it (JCGM 100:2008, 3.2.4); what remains
 //! has either sign and is in the error estimates.
 
 use tables::functions::interpolate;
@@ -7,7 +7,9 @@ use tables::quantity::Quantity;
 
 use crate::loading::inception::InceptionCriterion;
 use crate::scene::fitted_constants::error_estimates::{AtEach, ELEMENTS, INTERFERENCES, ORDER};
-use crate::scene::fitted_constants::mean_errors::{ENERGY, INCEPTION_SLIP, MeanError, SECTORS};
+use crate::scene::fitted_constants::mean_errors::{
+    ENERGY, INCEPTION_SLIP, MeanError, SECTORS, STATIC_FRICTION,
+};
 use crate::simulate::accuracy::resolution::Resolution;
 
 /// The mean error of a quantity; none of those that scatter about their limit, nor where not all of the contact slips.
@@ -15,6 +17,7 @@ fn mean_error(quantity: Quantity, inception: InceptionCriterion) -> Option<MeanE
     match (inception, quantity) {
         (InceptionCriterion::FullSlip, Quantity::EnergyRelease) => Some(ENERGY),
         (InceptionCriterion::FullSlip, Quantity::InceptionSlip) => Some(INCEPTION_SLIP),
+        (InceptionCriterion::FullSlip, Quantity::MuStatic) => Some(STATIC_FRICTION),
         _ => None,
     }
 }
@@ -84,7 +87,9 @@ mod tests {
     fn only_values_of_full_mobilisation_are_corrected() {
         let of = |quantity, inception| correction(quantity, inception, 30.0, &on(10, 4));
         assert!(of(Quantity::EnergyRelease, InceptionCriterion::FullSlip) > 0.01);
-        assert_eq!(of(Quantity::EnergyRelease, InceptionCriterion::Stiffness), 0.0);
+        for quantity in [Quantity::EnergyRelease, Quantity::MuStatic] {
+            assert_eq!(of(quantity, InceptionCriterion::Stiffness), 0.0);
+        }
         assert_eq!(of(Quantity::Mu, InceptionCriterion::FullSlip), 0.0);
     }
 }
