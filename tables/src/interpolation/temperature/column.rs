@@ -1,5 +1,6 @@
 //! Numbers between initial temperatures, and their errors.
 
+use crate::interpolation::nodes::OF_PARABOLA;
 use crate::interpolation::steffen::Location;
 use crate::interpolation::{blend_one, neighbours};
 use crate::law::Estimate;
@@ -58,7 +59,7 @@ impl<'a, F: Fn(usize) -> f64> Line<'a, F> {
         };
         let middle = match [index, index + 1].into_iter().filter_map(misfit).reduce(f64::max) {
             Some(relative) => relative * found.abs(),
-            None => 0.25 * (value(index) - value(index + 1)).abs(),
+            None => OF_PARABOLA * (value(index) - value(index + 1)).abs(),
         };
         let straight =
             self.predicted(&x[index..=index + 1], Location { index: 0, t }, |side| value(index + side));
