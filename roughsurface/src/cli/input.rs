@@ -56,7 +56,7 @@ struct QueryOptions {
     #[arg(long, value_name = "QUANTITY", value_enum)]
     hold: Option<LoadingControl>,
     /// Slip over which a contact lasts, in contact diameters, or steady; 1 by default, as between two rough faces
-    #[arg(long, value_name = "DIAMETERS|steady")]
+    #[arg(long, value_name = "DIAMETERS|steady", allow_negative_numbers = true)]
     contact_life: Option<ContactLife>,
     /// Elastic interaction of the summits, none by default; mean-pressure displaces the mean plane
     #[arg(long, value_name = "KIND", value_parser = ["none", "mean-pressure"])]

@@ -35,7 +35,7 @@ pub struct Sample {
     #[arg(long, value_name = "S", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
     /// Slip after which friction is read, m; by default friction is the mean over the life of the contacts
-    #[arg(long, value_name = "LENGTH", value_parser = slip_length)]
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, value_parser = slip_length)]
     slip: Option<f64>,
     /// Result (netCDF)
     #[arg(short, long, value_name = "samples.nc", value_parser = PathBufValueParser::new().try_map(netcdf_name))]

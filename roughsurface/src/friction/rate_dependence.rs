@@ -16,18 +16,20 @@ const SHARE_OF_SLOPE: f64 = 0.25;
 /// two of them the blend of the slopes of the parabolas through these and the one before or after. Unknown at V = 0, and
 /// with a single positive rate.
 ///
-/// Below the first rate friction changes in proportion to V, as heat does. The error is the difference of both parabolas and
+/// Below the first positive rate V₁ friction changes in proportion to V, as heat does, from μ(0) where that is known: dμ/d ln V is μ(V₁) −
+/// μ(0) at V₁, and the parabola with this slope there takes the place of the one before. The error is the difference of both parabolas and
 /// a fifth of the largest change of slope from this interval to the next ones (more where they are wide), twice that at the
 /// ends; and the difference of the errors of μ over the interval: errors of neighbouring rates come from the same asperities
-/// and have the same sign.
-pub fn rate_sensitivity(slip_rates: &[f64], mu: &[Estimate], at: f64) -> Estimate {
+/// and have the same sign, but for 0.03 to 0.5 of them in shipped tables (what a polynomial of the fourth degree in ln V leaves).
+pub fn rate_sensitivity(slip_rates: &[f64], all: &[Estimate], at: f64) -> Estimate {
     let first = slip_rates.iter().take_while(|rate| **rate <= 0.0).count();
-    let (rates, mu) = (&slip_rates[first..], &mu[first..]);
+    let (rates, mu) = (&slip_rates[first..], &all[first..]);
+    let from_rest = first.checked_sub(1).map(|rest| mu[0].value - all[rest].value);
     if at <= 0.0 || rates.len() < 2 {
         return Estimate::UNKNOWN;
     }
     if at < rates[0] {
-        let Estimate { value, error } = rate_sensitivity(rates, mu, rates[0]);
+        let Estimate { value, error } = rate_sensitivity(slip_rates, all, rates[0]);
         let share = at / rates[0];
         return Estimate { value: share * value, error: share * (error + (1.0 - share) * value.abs()) };
     }
@@ -40,7 +42,9 @@ pub fn rate_sensitivity(slip_rates: &[f64], mu: &[Estimate], at: f64) -> Estimat
         let curvature = (secant(i + 1) - secant(i)) / (x[i + 2] - x[i]);
         secant(i) + curvature * (2.0 * x_at - x[i] - x[i + 1])
     };
-    let before = inner.checked_sub(1).map(parabola);
+    // Through the first two rates, with the slope from rest at the first.
+    let beside_rest = |slope: f64| slope + 2.0 * (secant(0) - slope) * (x_at - x[0]) / (x[1] - x[0]);
+    let before = inner.checked_sub(1).map(parabola).or(from_rest.map(beside_rest));
     let after = (inner + 2 < rates.len()).then(|| parabola(inner));
     let uncertain = |i: usize| {
         let wide = ((x[i + 2] - x[i]) / (2.0 * WIDTH)).max(1.0);
@@ -53,6 +57,9 @@ pub fn rate_sensitivity(slip_rates: &[f64], mu: &[Estimate], at: f64) -> Estimat
     let t = ((x_at - x[inner]) / (x[inner + 1] - x[inner])).clamp(0.0, 1.0);
     let (value, of_interval) = match (before, after) {
         (Some(before), Some(after)) => (before + t * (after - before), (after - before).abs() + bend),
+        (Some(before), None) if inner == 0 => {
+            (before, from_rest.map_or(f64::NAN, |slope| 2.0 * (slope - secant(0)).abs()))
+        }
         (Some(only), None) | (None, Some(only)) => {
             // Beside a knee the parabola rises at one end by more than friction falls in the interval: its error reaches that slope.
             let secant = secant(inner);
@@ -81,7 +88,7 @@ mod tests {
         let mu = of(|v| 0.5 - 0.02 * v.max(0.1).ln() + 0.01 * v.max(0.1).ln().powi(2));
         assert!(rate_sensitivity(&RATES, &mu, 0.0).value.is_nan());
         for rate in [0.1, 0.2, 0.3, 0.7, 1.0, 4.0, 5.0] {
-            let found = rate_sensitivity(&RATES, &mu, rate);
+            let found = rate_sensitivity(&RATES[1..], &mu[1..], rate);
             let exact = -0.02 + 0.02 * f64::ln(rate);
             assert!((found.value - exact).abs() < 1e-13, "{rate}: {found:?}");
         }
@@ -131,13 +138,31 @@ mod tests {
         assert!(found.value > 0.02 && covered, "{found:?}");
     }
 
-    /// Below the first rate of a table friction changes in proportion to the slip rate.
+    /// Below the first rate of a table friction changes in proportion to the slip rate, from that at rest where the table has it.
     #[test]
     fn below_the_first_rate_the_slope_falls_with_the_rate() {
         let mu = of(|v| 0.5 - 0.01 * v);
-        let (first, half) = (rate_sensitivity(&RATES, &mu, 0.1), rate_sensitivity(&RATES, &mu, 0.05));
-        assert_eq!(half.value, 0.5 * first.value);
-        assert!((half.value + 0.01 * 0.05).abs() <= half.error, "{half:?}");
+        let slope = |rate: f64, from: usize| rate_sensitivity(&RATES[from..], &mu[from..], rate);
+        for from in [0, 1] {
+            let (first, half) = (slope(0.1, from), slope(0.05, from));
+            assert_eq!(half.value, 0.5 * first.value);
+            assert!((half.value + 0.01 * 0.05).abs() <= half.error, "{half:?}");
+        }
+        let at_first = slope(0.1, 0);
+        assert!((at_first.value + 0.01 * 0.1).abs() < 1e-15 && at_first.error < 0.3 * 0.01, "{at_first:?}");
+        // Up to the second rate it passes over into the parabola.
+        assert!((slope(0.3 - 1e-9, 0).value / slope(0.3, 1).value - 1.0).abs() < 1e-6);
+    }
+
+    /// Heat that grows with the root of the slip rate: half of what a straight line from rest says.
+    #[test]
+    fn the_slope_from_rest_is_as_uncertain_as_it_differs_from_the_parabola() {
+        let mu = of(|v| 0.5 - 0.01 * v.sqrt());
+        for count in [3, 5] {
+            let found = rate_sensitivity(&RATES[..count], &mu[..count], 0.1);
+            let exact = -0.005 * 0.1f64.sqrt();
+            assert!((found.value - exact).abs() <= found.error, "{count}: {found:?} {exact}");
+        }
     }
 
     #[test]

@@ -6,8 +6,8 @@ use crate::integral::predictor::Sensitivity;
 use crate::integral::separation::EquilibriumState;
 use tables::law::Estimate;
 
-/// Share of the initial slope below which a curve is taken to slide, as for a
-/// single asperity.
+/// Share of the initial slope below which a curve is taken to slide. All of an asperity slips before that, at the slip of inception
+/// of a table: friction still rises as its contact grows.
 pub const INCEPTION_SLOPE: f64 = 0.01;
 
 /// The surface after one slip.

@@ -146,6 +146,11 @@ pub enum Warning {
     ContactsMerge { at: Place, share: f64 },
     #[error("{at}: {idle} of {count} surfaces have no asperity in contact and no friction coefficient")]
     SamplesWithoutContact { at: Place, idle: usize, count: usize },
+    #[error(
+        "{at}: surfaces touch on {} asperities on average, and their friction is far from normally distributed: the intervals hold less than 95 %, with one asperity in contact often nothing; more asperities or a higher pressure have more contacts",
+        digits(*.contacts, 2)
+    )]
+    SamplesWithFewContacts { at: Place, contacts: f64 },
     #[error("{0}")]
     Implausible(String),
     #[error(

@@ -115,12 +115,12 @@ pub fn text(samples: &Samples) -> String {
     for Cell { load, slip_rate, mu, bias, contacts } in cells(samples) {
         let _ = writeln!(
             text,
-            "{load:>width$.3e}   {:>15}   {:>22}   {:>9}   {:>9.4} to {:.4}   {:.0} to {:.0}",
+            "{load:>width$.3e}   {:>15}   {:>22}   {:>9}   {:>9} to {}   {:.0} to {:.0}",
             digits(slip_rate, 4),
             with_error(Estimate { value: mu.mean, error: mu.mean_error }, "1"),
             digits(bias, 2),
-            mu.lower,
-            mu.upper,
+            digits(mu.lower, 4),
+            digits(mu.upper, 4),
             contacts.lower,
             contacts.upper
         );

@@ -222,7 +222,8 @@ impl Case {
         show: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Samples, PredictionError> {
         let (law, surface, query) = (self.source.law.as_ref(), &self.file.surface, &self.file.query);
-        let mut samples = sample(law, surface, query, sampling, settings, show)?;
+        let settings = Settings { scene: self.source.scene, ..*settings };
+        let mut samples = sample(law, surface, query, sampling, &settings, show)?;
         samples.warnings.splice(..0, self.warnings());
         Ok(samples)
     }

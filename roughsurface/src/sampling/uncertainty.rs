@@ -73,6 +73,8 @@ pub enum UncertaintyError {
         "uncertainty.tables.{key}: \"{table}\" has the constants of the table itself; give one with a constant raised by its standard deviation"
     )]
     SameTable { key: String, table: String },
+    #[error("uncertainty.tables.{key} = \"{table}\": {reason}")]
+    OtherTable { key: String, table: String, reason: String },
     #[error(transparent)]
     File(#[from] SurfaceFileError),
     #[error(transparent)]
@@ -88,6 +90,15 @@ impl UncertaintyError {
         use LookupError::{NoSlipRateInCommon, SlipRateOutside};
         matches!(error, PredictionError::Lookup(SlipRateOutside { .. } | NoSlipRateInCommon { .. }))
     }
+}
+
+/// Another table that cannot be used.
+fn not_opened(key: &str, table: &str, error: &LawSourceError) -> UncertaintyError {
+    let reason = match error {
+        LawSourceError::Table(reason) => reason.to_string(),
+        other => other.to_string(),
+    };
+    UncertaintyError::OtherTable { key: key.to_owned(), table: table.to_owned(), reason }
 }
 
 /// Repeats the prediction `base` for the law called `table` with every uncertain parameter of
@@ -111,7 +122,8 @@ pub fn propagate(
     let mut propagated = Propagated::default();
     for (key, other) in &file.uncertain_tables {
         let other = other.to_string_lossy();
-        let law = LawSource::open(&other, file.material.as_ref(), file.temperature, interpolate_missing)?.law;
+        let opened = LawSource::open(&other, file.material.as_ref(), file.temperature, interpolate_missing);
+        let law = opened.map_err(|error| not_opened(key, &other, &error))?.law;
         match differing(&base.request, law.request()) {
             Some(constants) if constants.is_empty() => {
                 return Err(UncertaintyError::SameTable { key: key.clone(), table: other.into() });

@@ -127,10 +127,20 @@ const HEAVY_TAILED: f64 = 1.0;
 /// Of positions and of cut-offs that are equal but for it.
 const ROUNDING: f64 = 1e-6;
 
+impl Characterization {
+    /// Distances of the points across and along rows, m.
+    pub fn steps(&self) -> [f64; 2] {
+        [self.size.0 / self.points.0 as f64, self.size.1 / self.points.1 as f64]
+    }
+}
+
 /// Slope above which lengths may be in different units.
 const STEEP: f64 = 2.0;
 
-/// Moments and summits of `topography`, or the error in the cut-off.
+/// Rms height over that with the trend below which it is rounding.
+const NO_ROUGHNESS: f64 = 1e-11;
+
+/// Moments and summits of `topography`, or the error in the cut-off or the heights.
 pub fn characterize(mut topography: Topography, options: &Options) -> Result<Characterization, String> {
     plausibility::none_is_marked(&topography)?;
     let mut warnings = topography.remarks.clone();
@@ -138,12 +148,17 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
     warnings.extend(plausibility::spikes(&topography));
     let usual = if topography.periodic { Detrend::Mean } else { Detrend::Plane };
     let detrend = options.detrend.unwrap_or(usual);
+    let with_trend = topography.mean_square().sqrt();
     detrend.subtract(&mut topography);
+    let rms_height = topography.mean_square().sqrt();
+    if rms_height < NO_ROUGHNESS * with_trend {
+        let trend = format!("{detrend:?}").to_lowercase();
+        return Err(format!("the heights are those of the {trend} that is taken off, within rounding"));
+    }
     warnings.extend(plausibility::edges_jump(&topography, options.window));
     if detrend == Detrend::Plane {
         warnings.extend(plausibility::form(&topography));
     }
-    let rms_height = topography.mean_square().sqrt();
     let spectrum = Spectrum::of(&topography, options.window);
     let (reliability_limit, limited_by) = spectrum.reliability_limit();
     let cutoff = options.cutoff.unwrap_or(reliability_limit);

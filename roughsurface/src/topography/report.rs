@@ -53,7 +53,13 @@ fn text_of_face(found: &Characterization) -> String {
     let (rows, columns) = found.points;
     let profile = rows == 1;
     line("points", if profile { format!("{columns}") } else { format!("{rows} x {columns}") });
-    line("distance of points", format!("{:.4e} m", found.pixel));
+    let [across, along] = found.steps();
+    let distance = if profile || across == along {
+        format!("{along:.4e} m")
+    } else {
+        format!("{across:.4e} x {along:.4e} m")
+    };
+    line("distance of points", distance);
     line("short-wavelength cut-off (Gaussian, 50 %)", format!("{:.4e} m", found.cutoff));
     line(
         "reliability limit",

@@ -284,6 +284,7 @@ fn law(form: &'static Form, curve: &Curve, least: &Minimum, minima: &[Minimum]) 
         r_squared: 1.0 - squares / curve.variance(),
         criterion: curve.criterion(parameters, squares),
         condition,
+        second: curve.points[1].0,
         fastest: curve.points[count - 1].0,
     })
 }

@@ -82,6 +82,8 @@ pub struct RateLaw {
     pub criterion: f64,
     /// Condition number of the Jacobian with columns of equal length.
     pub condition: f64,
+    /// Second slip rate of the fit, m/s.
+    pub second: f64,
     /// Largest slip rate of the fit, m/s.
     pub fastest: f64,
 }
@@ -103,6 +105,8 @@ impl RateLaw {
             Some(Doubt::Misfit)
         } else if self.velocity.value > self.fastest {
             Some(Doubt::Extrapolated(self.fastest))
+        } else if self.velocity.value < self.second {
+            Some(Doubt::OnsetNotSeen(self.second))
         } else if self.velocity.error > 0.5 * self.velocity.value {
             Some(Doubt::Uncertain)
         } else {
@@ -121,6 +125,8 @@ pub enum Doubt {
     /// Where V ≪ V*, μ is μ_0 [1 − (V/V*)^n].
     #[error("V* is above the slip rates, which end at {0} m/s and determine mu_0 and mu_0 V*^-n only")]
     Extrapolated(f64),
+    #[error("the velocity is below the second slip rate, {0} m/s: mu_0 is extrapolated")]
+    OnsetNotSeen(f64),
     #[error("the velocity is not known to half of itself")]
     Uncertain,
 }

@@ -6,11 +6,11 @@ use crate::friction::rate_step::{self, RateStepResponse, Stepped};
 use crate::surface::query::ContactLife;
 use tables::law::Estimate;
 
-/// The positive ones of ascending `rates` within a range, and its ends where they are not among them; none if fewer than two.
+/// Those of ascending `rates` within a range, and its ends where they are not among them; none if fewer than two are positive.
 fn in_common(mut rates: Vec<f64>, (from, to): (f64, f64)) -> Vec<f64> {
     /// Distance in ln V of slip rates that are not taken for one.
     const APART: f64 = 0.1;
-    rates.retain(|rate| *rate > 0.0 && (from..=to).contains(rate));
+    rates.retain(|rate| (from..=to).contains(rate));
     if rates.is_empty() {
         return rates;
     }
@@ -20,7 +20,7 @@ fn in_common(mut rates: Vec<f64>, (from, to): (f64, f64)) -> Vec<f64> {
         }
     }
     rates.sort_by(f64::total_cmp);
-    if rates.len() < 2 { Vec::new() } else { rates }
+    if rates.iter().filter(|rate| **rate > 0.0).count() < 2 { Vec::new() } else { rates }
 }
 
 impl<'a> Sweep<'a> {
@@ -98,7 +98,7 @@ mod tests {
     fn rates_reach_to_the_ends_of_the_range_that_all_radii_have() {
         let rates = || vec![0.0, 0.1, 1.0, 10.0];
         assert_eq!(in_common(rates(), (0.05, 2.5)), [0.05, 0.1, 1.0, 2.5]);
-        assert_eq!(in_common(rates(), (0.0, 10.0)), [0.1, 1.0, 10.0]);
+        assert_eq!(in_common(rates(), (0.0, 10.0)), [0.0, 0.1, 1.0, 10.0]);
         // An end by rounding beside a rate of the table is that rate.
         assert_eq!(in_common(rates(), (0.0999, 10.001)), [0.1, 1.0, 10.0]);
         assert!(in_common(Vec::new(), (0.05, 2.5)).is_empty());

@@ -243,6 +243,7 @@ fn fitted(
             r_squared: f64::NAN,
             criterion: f64::NAN,
             condition: f64::NAN,
+            second: f64::NAN,
             fastest: f64::NAN,
         };
         Ok(Ok((law, doubt)))

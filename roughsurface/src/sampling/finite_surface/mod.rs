@@ -12,7 +12,7 @@ mod states;
 mod tests;
 
 use crate::friction::warning::{Place, Warning};
-use crate::friction::{PredictionError, Settings, in_order};
+use crate::friction::{PredictionError, Settings, in_order, predict};
 use crate::integral::asperity_at_slip::Additional;
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::integral::mean_plane::MeanPlane;
@@ -27,6 +27,11 @@ pub use states::SampledState;
 use states::{LawAtRate, Slide, Summits};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::{AboveRange, AsperityLaw, LookupError};
+
+/// Mean number of contacts of a surface below which its friction is so skewed that intervals for the mean of 3 to 20 surfaces hold
+/// much less than 95 %: of 4340 steel 95 % with 6.4 contacts, 78 to 93 % with 1.6, 29 to 83 % with 1.1; of the closed form of Jackson
+/// & Green 90 % with 15 and with 2.3, 15 % with 1.03.
+const FEW_CONTACTS: f64 = 10.0;
 
 /// Request of finite surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,7 +104,8 @@ pub fn sample(
     let infinite: Vec<Option<SampledState>> = slide.states(&infinite).into_iter().map(Result::ok).collect();
     let states: Vec<Vec<SampledState>> =
         (0..predictors.len()).map(|cell| surfaces.iter().map(|surface| surface[cell]).collect()).collect();
-    let warnings = warnings(law, query, sampling.slip, &states, &infinite);
+    let mut warnings = of_infinite_extent(law, surface, query, sampling.slip, settings);
+    warnings.extend(of_samples(law, query, sampling.slip, &states, &infinite));
     Ok(Samples { query: query.clone(), sampling: *sampling, law: law.name(), states, infinite, warnings })
 }
 
@@ -126,7 +132,30 @@ fn predictors(laws: &[LawAtRate], surface: &Surface, query: &Query, settings: &S
     predictors
 }
 
-fn warnings(
+/// What a prediction of the surface of infinite extent warns of and drawn surfaces share, where it has an equilibrium.
+fn of_infinite_extent(
+    law: &dyn AsperityLaw,
+    surface: &Surface,
+    query: &Query,
+    slip: Option<f64>,
+    settings: &Settings,
+) -> Vec<Warning> {
+    let query = Query { rate_step: None, ..query.clone() };
+    let Ok(prediction) = predict(law, surface, &query, settings, &|_, _| ()) else { return Vec::new() };
+    let is_shared = |warning: &Warning| match warning {
+        Warning::ShortLife { .. } => slip.is_none(),
+        Warning::BelowTable { .. }
+        | Warning::StrongInterface { .. }
+        | Warning::FewContacts { .. }
+        | Warning::NominalHeating { .. }
+        | Warning::HeatOfFaces { .. }
+        | Warning::AboveMelting { .. } => true,
+        _ => false,
+    };
+    prediction.warnings.into_iter().filter(is_shared).collect()
+}
+
+fn of_samples(
     law: &dyn AsperityLaw,
     query: &Query,
     slip: Option<f64>,
@@ -152,6 +181,10 @@ fn warnings(
         }
         let share = infinite.map_or(f64::NAN, |infinite| infinite.state.area_fraction.value);
         warnings.extend(Warning::of_area(query, share, at));
+        let contacts = surfaces.iter().map(|one| one.contacts).sum::<f64>() / surfaces.len() as f64;
+        if contacts < FEW_CONTACTS {
+            warnings.push(Warning::SamplesWithFewContacts { at: at(), contacts });
+        }
         let idle = surfaces.iter().filter(|one| one.contacts == 0.0).count();
         if idle > 0 {
             warnings.push(Warning::SamplesWithoutContact { at: at(), idle, count: surfaces.len() });

@@ -1,6 +1,7 @@
 //! Finite surfaces against the integral over the distribution of their heights.
 
 use super::*;
+use crate::integral::law_source::LawSource;
 use crate::integral::test_laws::{PowerLaw, STEEL, query, surface};
 use crate::sampling::scatter::Scatter;
 use crate::surface::heights::{Exponential, Gaussian, Sample};
@@ -120,5 +121,46 @@ fn samples_of_slides_that_end_in_stick_say_so() {
         let found = sampled(&law, &surface, &query, &sampling);
         let said = found.warnings.iter().any(|one| matches!(one, Warning::SamplesNotSliding { .. }));
         assert_eq!(said, stuck_above == 2.0, "{:?}", found.warnings);
+    }
+}
+
+/// Intervals of groups of five surfaces against the mean of all, which is forty times as certain.
+#[test]
+fn intervals_hold_the_friction_of_surfaces_with_several_contacts() {
+    const GROUP: usize = 5;
+    const GROUPS: usize = 1600;
+    let law = closed_form("jackson-green", &STEEL).unwrap();
+    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let held = |asperities: usize, pressure: f64| {
+        let query = query(NormalLoading::Pressure(vec![pressure]));
+        let sampling = Sampling { asperities, realizations: GROUPS * GROUP, seed: 5, slip: Some(1e-6) };
+        let samples = sampled(law.as_ref(), &surface, &query, &sampling);
+        let mu: Vec<f64> = samples.states[0].iter().map(|one| one.state.mu.value).collect();
+        let mean = Scatter::of(mu.iter().copied()).mean;
+        let groups = mu.chunks(GROUP).map(|group| Scatter::of(group.iter().copied()));
+        let held = groups.filter(|group| (group.mean - mean).abs() <= group.mean_error).count();
+        let said = samples.warnings.iter().any(|one| matches!(one, Warning::SamplesWithFewContacts { .. }));
+        (held as f64 / GROUPS as f64, scatter(&samples, 0, |one| one.contacts).mean, said)
+    };
+    // The standard deviation of a share of 1600 groups is 0.007.
+    let (share, contacts, said) = held(3000, 1e7);
+    assert!((10.0..20.0).contains(&contacts) && (0.88..0.97).contains(&share) && !said, "{share} {contacts}");
+    // Nearly all surfaces touch on one summit, with one coefficient of friction.
+    let (share, contacts, said) = held(300, 1e5);
+    assert!(contacts < 1.1 && share < 0.5 && said, "{share} {contacts}");
+}
+
+/// As a prediction of the same surface does: contacts that live for a thousandth of a diameter stick.
+#[test]
+fn samples_warn_of_what_a_prediction_warns_of() {
+    let surface = surface(Box::new(Exponential::new(1e-7)));
+    let law = LawSource::open("steel-4340", None, None, false).unwrap().law;
+    let life = ContactLife::Diameters(1e-6);
+    let query = Query { contact_life: life, ..query(NormalLoading::Pressure(vec![1e6])) };
+    for (slip, said) in [(None, true), (Some(1e-6), false)] {
+        let sampling = Sampling { asperities: 3000, realizations: 3, seed: 1, slip };
+        let found = sampled(law.as_ref(), &surface, &query, &sampling);
+        let is_said = found.warnings.iter().any(|one| matches!(one, Warning::ShortLife { .. }));
+        assert_eq!(is_said, said, "{:?}", found.warnings);
     }
 }
