@@ -137,9 +137,6 @@ impl Characterization {
 /// Slope above which lengths may be in different units.
 const STEEP: f64 = 2.0;
 
-/// Rms height over that with the trend below which it is rounding.
-const NO_ROUGHNESS: f64 = 1e-11;
-
 /// Moments and summits of `topography`, or the error in the cut-off or the heights.
 pub fn characterize(mut topography: Topography, options: &Options) -> Result<Characterization, String> {
     plausibility::none_is_marked(&topography)?;
@@ -148,13 +145,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
     warnings.extend(plausibility::spikes(&topography));
     let usual = if topography.periodic { Detrend::Mean } else { Detrend::Plane };
     let detrend = options.detrend.unwrap_or(usual);
-    let with_trend = topography.mean_square().sqrt();
-    detrend.subtract(&mut topography);
-    let rms_height = topography.mean_square().sqrt();
-    if rms_height < NO_ROUGHNESS * with_trend {
-        let trend = format!("{detrend:?}").to_lowercase();
-        return Err(format!("the heights are those of the {trend} that is taken off, within rounding"));
-    }
+    let rms_height = detrend.level(&mut topography)?;
     warnings.extend(plausibility::edges_jump(&topography, options.window));
     if detrend == Detrend::Plane {
         warnings.extend(plausibility::form(&topography));

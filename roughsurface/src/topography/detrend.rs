@@ -15,7 +15,22 @@ pub enum Detrend {
     Quadratic,
 }
 
+/// Rms height over that with the trend below which it is rounding.
+const NO_ROUGHNESS: f64 = 1e-11;
+
 impl Detrend {
+    /// Takes the trend off; rms height of what is left, m.
+    pub(super) fn level(self, topography: &mut Topography) -> Result<f64, String> {
+        let with_trend = topography.mean_square().sqrt();
+        self.subtract(topography);
+        let rms_height = topography.mean_square().sqrt();
+        if rms_height < NO_ROUGHNESS * with_trend {
+            let trend = format!("{self:?}").to_lowercase();
+            return Err(format!("the heights are those of the {trend} that is taken off, within rounding"));
+        }
+        Ok(rms_height)
+    }
+
     fn powers(self, profile: bool) -> &'static [(i32, i32)] {
         match (self, profile) {
             (Self::Mean, _) => &[(0, 0)],
@@ -70,5 +85,13 @@ mod tests {
         let mut rough = map((0..rows * columns).map(|p| f64::from(p % 2 == 0)).collect());
         Detrend::Plane.subtract(&mut rough);
         assert!((rough.mean_square() - 0.25).abs() < 0.01, "{}", rough.mean_square());
+    }
+    #[test]
+    fn a_plane_has_no_roughness() {
+        let slope = |place: usize| 1e-8 * (place % 64) as f64;
+        let mut plane = Topography::map((32, 1e-6), (64, 1e-6), (0..32 * 64).map(slope).collect());
+        assert!(Detrend::Plane.level(&mut plane.clone()).unwrap_err().contains("of the plane"));
+        plane.heights[70] += 1e-13;
+        assert!(Detrend::Plane.level(&mut plane).is_ok());
     }
 }

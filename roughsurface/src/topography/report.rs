@@ -45,6 +45,15 @@ fn product(summits: &Nayak) -> String {
     format!("{:.4}", summits.density * summits.radius * summits.std)
 }
 
+/// One number where it is the same across and along rows.
+fn distance_of_points(found: &Characterization) -> String {
+    let [across, along] = found.steps().map(|step| format!("{step:.4e}"));
+    match found.points.0 == 1 || across == along {
+        true => format!("{along} m"),
+        false => format!("{across} x {along} m"),
+    }
+}
+
 fn text_of_face(found: &Characterization) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| {
@@ -53,13 +62,7 @@ fn text_of_face(found: &Characterization) -> String {
     let (rows, columns) = found.points;
     let profile = rows == 1;
     line("points", if profile { format!("{columns}") } else { format!("{rows} x {columns}") });
-    let [across, along] = found.steps();
-    let distance = if profile || across == along {
-        format!("{along:.4e} m")
-    } else {
-        format!("{across:.4e} x {along:.4e} m")
-    };
-    line("distance of points", distance);
+    line("distance of points", distance_of_points(found));
     line("short-wavelength cut-off (Gaussian, 50 %)", format!("{:.4e} m", found.cutoff));
     line(
         "reliability limit",
