@@ -35,7 +35,7 @@ pub fn text(results: &Results) -> String {
     let mut text = format!("Plasticity index {psi:.3}: {}\n\n{table}", regime(psi));
     for (title, rows) in [
         ("Influence of the cut-off of the topography:", cutoffs::rows(results)),
-        ("Standard deviations from uncertain parameters:", parameters(results)),
+        ("Standard deviations from uncertain parameters (± above: 95 %):", parameters(results)),
         ("With asperities after models of the literature:", compared(results)),
         ("Step of the slip rate in steady sliding:", rate_step::rows(results)),
         (
