@@ -256,10 +256,7 @@ fn outcome(
     let units = problem.units;
     Outcome {
         critical_interference: problem.critical_interference * units.length,
-        scalars: Scalars::from_fn(|quantity| {
-            let lacks = correction(quantity, run.values.inception, interference, &run.resolution);
-            Estimate { value: run.values.value(quantity) * (1.0 + lacks), error: budget.total(quantity) }
-        }),
+        scalars: scalars(run, interference, &budget),
         inception: run.values.inception,
         steady: run.values.steady,
         budget,
@@ -274,6 +271,20 @@ fn outcome(
         body: run.body.take(),
         account,
     }
+}
+
+/// Values without their mean discretisation errors; the largest friction coefficient is at least the static one so corrected.
+fn scalars(run: &Run, interference: f64, budget: &ErrorBudget) -> Scalars {
+    let mut scalars = Scalars::from_fn(|quantity| {
+        let lacks = correction(quantity, run.values.inception, interference, &run.resolution);
+        Estimate { value: run.values.value(quantity) * (1.0 + lacks), error: budget.total(quantity) }
+    });
+    let peak = scalars[Quantity::MuPeak].value;
+    // Unknown stays unknown.
+    if peak < scalars[Quantity::MuStatic].value {
+        scalars[Quantity::MuPeak].value = scalars[Quantity::MuStatic].value;
+    }
+    scalars
 }
 
 fn counterface_rise(run: &Run) -> Option<f64> {
