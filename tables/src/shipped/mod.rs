@@ -146,7 +146,9 @@ mod tests {
             assert_eq!(metadata.counterface.is_empty(), name.ends_with(RIGID), "{name}");
             for i in 0..axes.interference.len() {
                 for j in 0..axes.slip_rate.len() {
-                    assert!(table.cell(i, j).is_some(), "{name}: {}", table.label(i, j));
+                    let of = |quantity| table.cell(i, j).map(|cell| cell.scalars[quantity].value);
+                    let (at_inception, peak) = (of(Quantity::MuStatic), of(Quantity::MuPeak));
+                    assert!(peak.is_some() && at_inception <= peak, "{name}: {}", table.label(i, j));
                 }
             }
             let request = std::fs::read_to_string(format!("data/{name}.toml")).unwrap();
