@@ -118,12 +118,7 @@ pub fn html(results: &Results, origin: &Origin) -> String {
         };
         list(&mut page, "Uncertain parameters", propagated.parameters.iter().map(parameter));
     }
-    table(
-        &mut page,
-        "Standard deviations from uncertain parameters (± elsewhere: 95 %)",
-        "",
-        &parameters(results),
-    );
+    table(&mut page, "Standard deviations from uncertain parameters (± is 95 %)", "", &parameters(results));
     table(&mut page, "Models of the literature", "", &compared(results));
     list(&mut page, "What is left out", CAVEATS.iter().map(ToString::to_string));
     let _ = write!(
