@@ -122,7 +122,7 @@ fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Resu
             Quantity::MuSteady => {
                 "of the slide, or of its continuation, see notes; extrapolated with 1/sqrt(slip)"
             }
-            quantity if is_corrected(quantity, outcome.inception) => {
+            quantity if is_corrected(quantity, outcome.inception, &scene.interface.law) => {
                 "of the finest mesh, corrected for its mean discretisation error"
             }
             _ => "of the finest mesh, not extrapolated",

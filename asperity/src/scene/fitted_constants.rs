@@ -102,7 +102,7 @@ pub(crate) mod error_estimates {
 /// - Fitted: what a value on [`error_estimates::ELEMENTS`] elements per contact radius with [`SECTORS`] angles lacks, relative to it,
 ///   at [`error_estimates::INTERFERENCES`], linear in their logarithm; by least squares in which outliers count less, rounded. Of order
 ///   1.5 in the elements and 2 in the angles. Friction, area and load have no entry, as their histories would not have it: above
-///   30 ω_c the load lacks −0.7 %, friction and area −0.3 % and `mu` 0.45 %, below at most 0.3 %.
+///   40 ω_c the load lacks −0.7 %, friction and area −0.3 % and `mu` 0.45 %, below at most 0.3 %.
 /// - Data: the effects of three times the elements and four times the angles on the first 149 scenes of
 ///   `studies::effectivity` but for the carbon steel, above 10 ω_c on its 33 scenes as in the shipped tables.
 /// - Residual: root mean squares of the true errors in % of runs on 10 elements with 4 angles, before and after; of the first 213

@@ -14,7 +14,7 @@ use crate::loading::press::Increment;
 use crate::loading::problem::{Problem, wave_speed};
 use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
-use crate::scene::{InterfaceStrength, LoadingStep, Scene};
+use crate::scene::{FrictionLaw, InterfaceStrength, LoadingStep, Scene};
 use crate::simulate::accuracy::correction::correction;
 use crate::simulate::accuracy::error_budget::{CONTROLLED, ErrorBudget, ErrorSource};
 use crate::simulate::accuracy::resolution::Resolution;
@@ -57,8 +57,7 @@ pub(super) fn report(
     };
     let budget = budget.unwrap_or_else(|| ErrorBudget::unknown(of_press));
     let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
-    let interference = runner.pressed.scene.loading.interference;
-    let outcome = outcome(problem, (interference, programme), &mut run, budget, account);
+    let outcome = outcome(problem, (&runner.pressed.scene, programme), &mut run, budget, account);
     let error = match obstacle {
         Some(error) => Some(next_not_begun(error, &run)),
         None => {
@@ -248,7 +247,7 @@ fn warning_of_strength(scene: &Scene, plastic_strain: f64) -> Option<Warning> {
 /// The whole outcome in SI units.
 fn outcome(
     problem: &Problem,
-    (interference, programme): (f64, &[LoadingStep]),
+    (scene, programme): (&Scene, &[LoadingStep]),
     run: &mut Run,
     budget: ErrorBudget,
     account: Account,
@@ -256,7 +255,7 @@ fn outcome(
     let units = problem.units;
     Outcome {
         critical_interference: problem.critical_interference * units.length,
-        scalars: scalars(run, interference, &budget),
+        scalars: scalars(run, (scene.loading.interference, &scene.interface.law), &budget),
         inception: run.values.inception,
         steady: run.values.steady,
         budget,
@@ -274,15 +273,16 @@ fn outcome(
 }
 
 /// Values without their mean discretisation errors; the largest friction coefficient is at least the static one so corrected.
-fn scalars(run: &Run, interference: f64, budget: &ErrorBudget) -> Scalars {
+fn scalars(run: &Run, (interference, law): (f64, &FrictionLaw), budget: &ErrorBudget) -> Scalars {
     let mut scalars = Scalars::from_fn(|quantity| {
-        let lacks = correction(quantity, run.values.inception, interference, &run.resolution);
+        let inception = (run.values.inception, law);
+        let lacks = correction(quantity, inception, interference, &run.resolution);
         Estimate { value: run.values.value(quantity) * (1.0 + lacks), error: budget.total(quantity) }
     });
-    let peak = scalars[Quantity::MuPeak].value;
+    let (peak, at_inception) = (scalars[Quantity::MuPeak], scalars[Quantity::MuStatic]);
     // Unknown stays unknown.
-    if peak < scalars[Quantity::MuStatic].value {
-        scalars[Quantity::MuPeak].value = scalars[Quantity::MuStatic].value;
+    if peak.value <= at_inception.value {
+        scalars[Quantity::MuPeak] = Estimate { error: peak.error.max(at_inception.error), ..at_inception };
     }
     scalars
 }

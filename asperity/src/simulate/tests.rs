@@ -169,7 +169,7 @@ fn a_weak_interface_slides_when_its_strength_resists() {
         let outcome = run(factor);
         let of = |quantity: Quantity| outcome.scalars[quantity].value;
         let share = of(Quantity::MuStatic) / of(Quantity::MuPeak);
-        assert!((0.9..1.0).contains(&share), "{factor}: {share}");
+        assert!((0.9..=1.0).contains(&share), "{factor}: {share}");
         assert_eq!(outcome.account.warnings.iter().any(is_released), released, "{factor}");
     }
 }

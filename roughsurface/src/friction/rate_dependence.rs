@@ -12,26 +12,33 @@ const WIDTH: f64 = 1.2;
 /// to 40 apart.
 const SHARE_OF_SLOPE: f64 = 0.25;
 
-/// dμ/d ln V at a slip rate `at`, from the sliding friction `mu` at ascending positive `slip_rates` around it (m/s); between
+/// dμ/d ln V at a slip rate `at`, from the sliding friction `all` at ascending `slip_rates` around it (m/s); between
 /// two of them the blend of the slopes of the parabolas through these and the one before or after. Unknown at V = 0, and
 /// with a single positive rate.
 ///
-/// Below the first positive rate V₁ friction changes in proportion to V, as heat does, from μ(0) where that is known: dμ/d ln V is μ(V₁) −
+/// Below the first positive rate V₁ friction changes in proportion to V, as the heat of slow contacts does, from μ(0) where that is known: dμ/d ln V is μ(V₁) −
 /// μ(0) at V₁, and the parabola with this slope there takes the place of the one before. The error is the difference of both parabolas and
 /// a fifth of the largest change of slope from this interval to the next ones (more where they are wide), twice that at the
 /// ends; and the difference of the errors of μ over the interval: errors of neighbouring rates come from the same asperities
-/// and have the same sign, but for 0.03 to 0.5 of them in shipped tables (what a polynomial of the fourth degree in ln V leaves).
+/// and have the same sign, except for a part that is 0.03 to 0.5 of them in shipped tables (the residuals of a polynomial of the
+/// fourth degree in ln V) and not in the error. With two positive rates it is twice the difference of the slope from rest and that
+/// between them, more where they are far apart.
 pub fn rate_sensitivity(slip_rates: &[f64], all: &[Estimate], at: f64) -> Estimate {
     let first = slip_rates.iter().take_while(|rate| **rate <= 0.0).count();
     let (rates, mu) = (&slip_rates[first..], &all[first..]);
-    let from_rest = first.checked_sub(1).map(|rest| mu[0].value - all[rest].value);
+    let from_rest = first.checked_sub(1).filter(|rest| all[*rest].value.is_finite() && !mu.is_empty());
+    let from_rest = from_rest.map(|rest| mu[0].value - all[rest].value);
     if at <= 0.0 || rates.len() < 2 {
         return Estimate::UNKNOWN;
     }
     if at < rates[0] {
         let Estimate { value, error } = rate_sensitivity(slip_rates, all, rates[0]);
         let share = at / rates[0];
-        return Estimate { value: share * value, error: share * (error + (1.0 - share) * value.abs()) };
+        // Up to that of heat in proportion to √V.
+        return Estimate {
+            value: share * value,
+            error: share * error + (share.sqrt() - share) * value.abs(),
+        };
     }
     let x: Vec<f64> = rates.iter().map(|rate| rate.ln()).collect();
     let inner = rates.partition_point(|rate| *rate <= at).clamp(1, rates.len() - 1) - 1;
@@ -46,8 +53,9 @@ pub fn rate_sensitivity(slip_rates: &[f64], all: &[Estimate], at: f64) -> Estima
     let beside_rest = |slope: f64| slope + 2.0 * (secant(0) - slope) * (x_at - x[0]) / (x[1] - x[0]);
     let before = inner.checked_sub(1).map(parabola).or(from_rest.map(beside_rest));
     let after = (inner + 2 < rates.len()).then(|| parabola(inner));
+    let width = |from: usize, to: usize| ((x[to] - x[from]) / ((to - from) as f64 * WIDTH)).max(1.0);
     let uncertain = |i: usize| {
-        let wide = ((x[i + 2] - x[i]) / (2.0 * WIDTH)).max(1.0);
+        let wide = width(i, i + 2);
         let [one, other] = [secant(i), secant(i + 1)];
         SHARE_OF_BEND * wide * wide * (other - one).abs()
             + SHARE_OF_SLOPE * (wide - 1.0) * one.abs().max(other.abs())
@@ -57,9 +65,10 @@ pub fn rate_sensitivity(slip_rates: &[f64], all: &[Estimate], at: f64) -> Estima
     let t = ((x_at - x[inner]) / (x[inner + 1] - x[inner])).clamp(0.0, 1.0);
     let (value, of_interval) = match (before, after) {
         (Some(before), Some(after)) => (before + t * (after - before), (after - before).abs() + bend),
-        (Some(before), None) if inner == 0 => {
-            (before, from_rest.map_or(f64::NAN, |slope| 2.0 * (slope - secant(0)).abs()))
-        }
+        (Some(before), None) if inner == 0 => (
+            before,
+            from_rest.map_or(f64::NAN, |slope| 2.0 * width(0, 1).powi(2) * (slope - secant(0)).abs()),
+        ),
         (Some(only), None) | (None, Some(only)) => {
             // Beside a knee the parabola rises at one end by more than friction falls in the interval: its error reaches that slope.
             let secant = secant(inner);
@@ -159,10 +168,27 @@ mod tests {
     fn the_slope_from_rest_is_as_uncertain_as_it_differs_from_the_parabola() {
         let mu = of(|v| 0.5 - 0.01 * v.sqrt());
         for count in [3, 5] {
-            let found = rate_sensitivity(&RATES[..count], &mu[..count], 0.1);
-            let exact = -0.005 * 0.1f64.sqrt();
-            assert!((found.value - exact).abs() <= found.error, "{count}: {found:?} {exact}");
+            for rate in [1e-3, 0.03, 0.1, 0.2] {
+                let found = rate_sensitivity(&RATES[..count], &mu[..count], rate);
+                let exact = -0.005 * rate.sqrt();
+                assert!((found.value - exact).abs() <= found.error, "{count} {rate}: {found:?} {exact}");
+            }
         }
+        // Two rates far apart; friction at rest may be unknown.
+        for last in [1.0, 10.0] {
+            let rates = [0.0, 0.1, last];
+            let mu = rates.map(|v: f64| Estimate::exact(0.5 / (1.0 + (v / 30.0).sqrt())));
+            for rate in [0.1, 0.3, last] {
+                let found = rate_sensitivity(&rates, &mu, rate);
+                let root = (rate / 30.0).sqrt();
+                let exact = -0.25 * root / (1.0 + root).powi(2);
+                assert!((found.value - exact).abs() <= found.error, "{last} {rate}: {found:?} {exact}");
+            }
+        }
+        let unknown: Vec<Estimate> = [&[Estimate::UNKNOWN], &mu[1..]].concat();
+        let [found, without] = [(&RATES[..], &unknown[..]), (&RATES[1..], &mu[1..])]
+            .map(|(rates, mu)| rate_sensitivity(rates, mu, 0.2));
+        assert_eq!(found, without);
     }
 
     #[test]

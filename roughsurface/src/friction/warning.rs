@@ -147,7 +147,7 @@ pub enum Warning {
     #[error("{at}: {idle} of {count} surfaces have no asperity in contact and no friction coefficient")]
     SamplesWithoutContact { at: Place, idle: usize, count: usize },
     #[error(
-        "{at}: surfaces touch on {} asperities on average, and their friction is far from normally distributed: the intervals hold less than 95 %, with one asperity in contact often nothing; more asperities or a higher pressure have more contacts",
+        "{at}: surfaces touch on {} asperities on average, and their friction may be far from normally distributed: the intervals may hold less than 95 %, those of surfaces with one asperity in contact 30 % and less; more asperities or a higher pressure have more contacts",
         digits(*.contacts, 2)
     )]
     SamplesWithFewContacts { at: Place, contacts: f64 },

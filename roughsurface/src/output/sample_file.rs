@@ -108,7 +108,7 @@ pub fn text(samples: &Samples) -> String {
         None => format!("contact life {}", samples.query.contact_life),
     };
     let mut text = format!(
-        "{} surfaces of {} asperities, {state}; intervals hold 95 %; bias: mean less mu of a surface of infinite extent\n\
+        "{} surfaces of {} asperities, {state}; 95 % intervals; bias: mean less mu of a surface of infinite extent\n\
          {head:>width$}   slip rate [m/s]                  mean mu        bias   mu of one surface   contacts\n",
         samples.sampling.realizations, samples.sampling.asperities
     );

@@ -24,9 +24,11 @@ impl Detrend {
         let with_trend = topography.mean_square().sqrt();
         self.subtract(topography);
         let rms_height = topography.mean_square().sqrt();
-        if rms_height < NO_ROUGHNESS * with_trend {
+        if rms_height <= NO_ROUGHNESS * with_trend {
             let trend = format!("{self:?}").to_lowercase();
-            return Err(format!("the heights are those of the {trend} that is taken off, within rounding"));
+            return Err(format!(
+                "no roughness is left without the trend ({trend}): the heights are those of the trend, within rounding"
+            ));
         }
         Ok(rms_height)
     }
@@ -90,7 +92,7 @@ mod tests {
     fn a_plane_has_no_roughness() {
         let slope = |place: usize| 1e-8 * (place % 64) as f64;
         let mut plane = Topography::map((32, 1e-6), (64, 1e-6), (0..32 * 64).map(slope).collect());
-        assert!(Detrend::Plane.level(&mut plane.clone()).unwrap_err().contains("of the plane"));
+        assert!(Detrend::Plane.level(&mut plane.clone()).unwrap_err().contains("(plane)"));
         plane.heights[70] += 1e-13;
         assert!(Detrend::Plane.level(&mut plane).is_ok());
     }

@@ -6,36 +6,39 @@ use tables::functions::interpolate;
 use tables::quantity::Quantity;
 
 use crate::loading::inception::InceptionCriterion;
+use crate::scene::FrictionLaw;
 use crate::scene::fitted_constants::error_estimates::{AtEach, ELEMENTS, INTERFERENCES, ORDER};
 use crate::scene::fitted_constants::mean_errors::{
     ENERGY, INCEPTION_SLIP, MeanError, SECTORS, STATIC_FRICTION,
 };
 use crate::simulate::accuracy::resolution::Resolution;
 
-/// The mean error of a quantity; none of those that scatter about their limit, nor where not all of the contact slips.
-fn mean_error(quantity: Quantity, inception: InceptionCriterion) -> Option<MeanError> {
-    match (inception, quantity) {
-        (InceptionCriterion::FullSlip, Quantity::EnergyRelease) => Some(ENERGY),
-        (InceptionCriterion::FullSlip, Quantity::InceptionSlip) => Some(INCEPTION_SLIP),
-        (InceptionCriterion::FullSlip, Quantity::MuStatic) => Some(STATIC_FRICTION),
+/// The mean error of a quantity; none of those that scatter about their limit, nor where not all of the contact slips, nor of a
+/// static friction that a law in the pressure sets.
+fn mean_error(quantity: Quantity, inception: InceptionCriterion, law: &FrictionLaw) -> Option<MeanError> {
+    match quantity {
+        _ if inception != InceptionCriterion::FullSlip => None,
+        Quantity::EnergyRelease => Some(ENERGY),
+        Quantity::InceptionSlip => Some(INCEPTION_SLIP),
+        Quantity::MuStatic if *law == FrictionLaw::ShearStrength => Some(STATIC_FRICTION),
         _ => None,
     }
 }
 
 /// Whether the values of a quantity are corrected.
-pub fn is_corrected(quantity: Quantity, inception: InceptionCriterion) -> bool {
-    mean_error(quantity, inception).is_some()
+pub fn is_corrected(quantity: Quantity, inception: InceptionCriterion, law: &FrictionLaw) -> bool {
+    mean_error(quantity, inception, law).is_some()
 }
 
 /// What a value of a run lacks, relative to it, at ω₀/ω_c: in the mesh by the order of convergence, on meshes coarser than
 /// [`ELEMENTS`] as on these; in the angles of second order.
 pub fn correction(
     quantity: Quantity,
-    inception: InceptionCriterion,
+    (inception, law): (InceptionCriterion, &FrictionLaw),
     interference: f64,
     resolution: &Resolution,
 ) -> f64 {
-    let Some(MeanError { mesh, angles }) = mean_error(quantity, inception) else { return 0.0 };
+    let Some(MeanError { mesh, angles }) = mean_error(quantity, inception, law) else { return 0.0 };
     let at = |values: AtEach| interpolate(&INTERFERENCES.map(f64::ln), &values, interference.ln()).0;
     let elements = ELEMENTS.max(resolution.elements_per_radius as f64);
     let sectors = SECTORS.max(resolution.sectors as f64);
@@ -46,6 +49,9 @@ pub fn correction(
 mod tests {
     use super::*;
     use crate::scene::Numerics;
+
+    const FULL_SLIP: (InceptionCriterion, &FrictionLaw) =
+        (InceptionCriterion::FullSlip, &FrictionLaw::ShearStrength);
 
     fn on(elements: usize, sectors: usize) -> Resolution {
         let (elements_per_radius, sectors) = (Some(elements), Some(sectors));
@@ -61,12 +67,7 @@ mod tests {
             (40, 4, mesh / 8.0 + angles),
             (10, 8, mesh + angles / 4.0),
         ] {
-            let found = correction(
-                Quantity::EnergyRelease,
-                InceptionCriterion::FullSlip,
-                1.0,
-                &on(elements, sectors),
-            );
+            let found = correction(Quantity::EnergyRelease, FULL_SLIP, 1.0, &on(elements, sectors));
             assert!((found - exact).abs() < 1e-12, "{elements} {sectors}: {found}");
         }
     }
@@ -74,9 +75,7 @@ mod tests {
     /// Linear in the logarithm of the interference, constant beyond the data.
     #[test]
     fn corrections_follow_the_interference() {
-        let at = |interference| {
-            correction(Quantity::InceptionSlip, InceptionCriterion::FullSlip, interference, &on(10, 1000))
-        };
+        let at = |interference| correction(Quantity::InceptionSlip, FULL_SLIP, interference, &on(10, 1000));
         let [first, _, at_10, at_100, last] = INCEPTION_SLIP.mesh;
         let rounding = 1e-6;
         assert!((at(1000f64.sqrt()) - 0.5 * (at_10 + at_100)).abs() < rounding);
@@ -85,11 +84,27 @@ mod tests {
 
     #[test]
     fn only_values_of_full_mobilisation_are_corrected() {
-        let of = |quantity, inception| correction(quantity, inception, 30.0, &on(10, 4));
+        let of = |quantity, inception| correction(quantity, (inception, FULL_SLIP.1), 30.0, &on(10, 4));
         assert!(of(Quantity::EnergyRelease, InceptionCriterion::FullSlip) > 0.01);
         for quantity in [Quantity::EnergyRelease, Quantity::MuStatic] {
             assert_eq!(of(quantity, InceptionCriterion::Stiffness), 0.0);
         }
         assert_eq!(of(Quantity::Mu, InceptionCriterion::FullSlip), 0.0);
+    }
+
+    /// Of an interface with a shear strength alone: a friction coefficient that is put in has no error of the mesh.
+    #[test]
+    fn static_friction_of_deep_contacts_is_corrected() {
+        let of = |law, interference| {
+            let inception = (InceptionCriterion::FullSlip, &law);
+            correction(Quantity::MuStatic, inception, interference, &on(10, 4))
+        };
+        let MeanError { mesh, angles } = STATIC_FRICTION;
+        for (interference, place) in [(10.0, 2), (100.0, 3), (1e4, 4)] {
+            let found = of(FrictionLaw::ShearStrength, interference);
+            assert!((found - mesh[place] - angles[place]).abs() < 1e-12, "{interference}: {found}");
+            assert_eq!(of(FrictionLaw::Coulomb { friction: 0.2, cap: false }, interference), 0.0);
+        }
+        assert!(of(FrictionLaw::ShearStrength, 1e4) > 0.01);
     }
 }

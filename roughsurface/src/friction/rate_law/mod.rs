@@ -125,7 +125,7 @@ pub enum Doubt {
     /// Where V ≪ V*, μ is μ_0 [1 − (V/V*)^n].
     #[error("V* is above the slip rates, which end at {0} m/s and determine mu_0 and mu_0 V*^-n only")]
     Extrapolated(f64),
-    #[error("the velocity is below the second slip rate, {0} m/s: mu_0 is extrapolated")]
+    #[error("V* or V_w is below the second slip rate, {0} m/s: the onset of weakening is not resolved")]
     OnsetNotSeen(f64),
     #[error("the velocity is not known to half of itself")]
     Uncertain,

@@ -213,3 +213,12 @@ fn errors_cover_the_parameters_of_other_ranges_where_the_form_is_another() {
     let highest = reliable.iter().map(|law| ends(law)[0]).fold(0.0, f64::max);
     assert!(reliable.len() > 1 && highest <= lowest, "{reliable:?}");
 }
+
+/// One slip rate below V_w does not show where weakening begins.
+#[test]
+fn an_onset_between_the_first_two_slip_rates_is_not_resolved() {
+    let rates = [0.1, 1.0, 3.0, 10.0, 30.0, 100.0];
+    let mu = |v: f64| 0.1 + 0.5 * (1.0 + (v / 0.3).powi(8)).powf(-0.125);
+    let law = choose(&rates, &rates.map(|v| Estimate::exact(mu(v)))).flash_heating.unwrap();
+    assert_eq!(law.doubt(), Some(Doubt::OnsetNotSeen(1.0)));
+}

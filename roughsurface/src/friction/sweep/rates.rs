@@ -30,7 +30,8 @@ impl<'a> Sweep<'a> {
         in_common(self.law.slip_rates(radii.mean()), radii.slip_rate_range(self.law))
     }
 
-    /// Sliding friction of every row at `slip_rates` (m/s); `pressed` is the surface before the slide.
+    /// Sliding friction of every row at `slip_rates` (m/s); `pressed` is the surface before the slide. Unknown at rest where the
+    /// law has no result.
     pub(crate) fn slide_steadily_around(
         &self,
         slip_rates: &[f64],
@@ -42,6 +43,10 @@ impl<'a> Sweep<'a> {
                 self.steady(&asperities, (row, rate), self.query.contact_life, pressed).map(|state| state.mu)
             };
             pressed.iter().enumerate().map(mu).collect()
+        };
+        let of_rate = |rate: &f64| match of_rate(rate) {
+            Err(_) if *rate == 0.0 => Ok(vec![Estimate::UNKNOWN; pressed.len()]),
+            found => found,
         };
         let by_rate = in_order(slip_rates, of_rate)?;
         Ok((0..pressed.len()).map(|row| by_rate.iter().map(|mu| mu[row]).collect()).collect())

@@ -28,8 +28,8 @@ use states::{LawAtRate, Slide, Summits};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::{AboveRange, AsperityLaw, LookupError};
 
-/// Mean number of contacts of a surface below which its friction is so skewed that intervals for the mean of 3 to 20 surfaces hold
-/// much less than 95 %: of 4340 steel 95 % with 6.4 contacts, 78 to 93 % with 1.6, 29 to 83 % with 1.1; of the closed form of Jackson
+/// Mean number of contacts of a surface below which its friction may be so skewed that intervals for the mean of 3 to 20 surfaces hold
+/// less than 95 %: of 4340 steel 95 % with 6.4 contacts, 78 to 93 % with 1.6, 29 to 83 % with 1.1; of the closed form of Jackson
 /// & Green 90 % with 15 and with 2.3, 15 % with 1.03.
 const FEW_CONTACTS: f64 = 10.0;
 
@@ -132,7 +132,8 @@ fn predictors(laws: &[LawAtRate], surface: &Surface, query: &Query, settings: &S
     predictors
 }
 
-/// What a prediction of the surface of infinite extent warns of and drawn surfaces share, where it has an equilibrium.
+/// What a prediction of the surface of infinite extent warns of and drawn surfaces share; nothing where that is refused, as drawn
+/// surfaces may have a result nevertheless.
 fn of_infinite_extent(
     law: &dyn AsperityLaw,
     surface: &Surface,
@@ -143,13 +144,12 @@ fn of_infinite_extent(
     let query = Query { rate_step: None, ..query.clone() };
     let Ok(prediction) = predict(law, surface, &query, settings, &|_, _| ()) else { return Vec::new() };
     let is_shared = |warning: &Warning| match warning {
-        Warning::ShortLife { .. } => slip.is_none(),
-        Warning::BelowTable { .. }
-        | Warning::StrongInterface { .. }
-        | Warning::FewContacts { .. }
+        Warning::BelowTable { .. } | Warning::StrongInterface { .. } | Warning::FewContacts { .. } => true,
+        // Of the life of the contacts, and of the slide of a prediction.
+        Warning::ShortLife { .. }
         | Warning::NominalHeating { .. }
         | Warning::HeatOfFaces { .. }
-        | Warning::AboveMelting { .. } => true,
+        | Warning::AboveMelting { .. } => slip.is_none(),
         _ => false,
     };
     prediction.warnings.into_iter().filter(is_shared).collect()

@@ -150,7 +150,7 @@ fn intervals_hold_the_friction_of_surfaces_with_several_contacts() {
     assert!(contacts < 1.1 && share < 0.5 && said, "{share} {contacts}");
 }
 
-/// As a prediction of the same surface does: contacts that live for a thousandth of a diameter stick.
+/// As a prediction of the same surface does: contacts that live for a millionth of a diameter stick.
 #[test]
 fn samples_warn_of_what_a_prediction_warns_of() {
     let surface = surface(Box::new(Exponential::new(1e-7)));
