@@ -24,7 +24,7 @@ impl Detrend {
         let with_trend = topography.mean_square().sqrt();
         self.subtract(topography);
         let rms_height = topography.mean_square().sqrt();
-        if rms_height <= NO_ROUGHNESS * with_trend {
+        if with_trend.is_finite() && rms_height <= NO_ROUGHNESS * with_trend {
             let trend = format!("{self:?}").to_lowercase();
             return Err(format!(
                 "no roughness is left without the trend ({trend}): the heights are those of the trend, within rounding"
