@@ -248,8 +248,9 @@ pub(crate) mod contact_edge {
 ///   body that may shear without limit (UNLIMITED_SHEAR, SHEAR_DEPTH, SHEAR_POWER, MOST_SHEAR).
 /// - Data: nine runs of a bronze without hardening and 39 of presets, 0.01 to 250 ω_c, 0 to 10 m/s, accuracies of 0.2 to
 ///   0.005, 22 of presets at 1 to 700 ω_c over slips of 2 and 20 contact radii, three programmes, and six of a cast iron
-///   with 15 K to more than its melting temperature (HOT_PROPERTIES), on one thread; the depth power by the rows of 14 shipped tables; seven of titanium with and without
+///   with 15 K to more than its melting temperature (HOT_PROPERTIES), on one thread; seven of titanium with and without
 ///   properties over temperature (PROPERTIES: ratios of 1.5 to 2.5); they are in the tests of the formula. The form is of earlier data of 17 materials.
+///   DEPTH_POWER is of the wall times of the rows of 14 shipped tables.
 /// - Residual: the ratios between expected and measured time are within 0.33 to 3.
 /// - NEWTON_ITERATION: s of an iteration per unknown, of main runs of titanium (40 ω_c, 10 m/s, 17 472 unknowns: 2.0e-7)
 ///   and 4340 (20 ω_c, 10 m/s, 9444 unknowns: 1.7e-7). COARSE_SHARE: what the run on the coarse

@@ -16,8 +16,9 @@ const SHARE_OF_SLOPE: f64 = 0.25;
 /// two of them the blend of the slopes of the parabolas through these and the one before or after. Unknown at V = 0, and
 /// with a single positive rate.
 ///
-/// Below the first positive rate V₁ friction changes in proportion to V, as the heat of slow contacts does, from μ(0) where that is known: dμ/d ln V is μ(V₁) −
-/// μ(0) at V₁, and the parabola with this slope there takes the place of the one before. The error is the difference of both parabolas and
+/// Below the first positive rate V₁ friction changes in proportion to V, as the heat of slow contacts does, from μ(0) where
+/// that is known: dμ/d ln V is μ(V₁) − μ(0) at V₁, and the parabola with this slope there takes the place of the one before.
+/// The error is the difference of both parabolas and
 /// a fifth of the largest change of slope from this interval to the next ones (more where they are wide), twice that at the
 /// ends; and the difference of the errors of μ over the interval: errors of neighbouring rates come from the same asperities
 /// and have the same sign, except for a part that is 0.03 to 0.5 of them in shipped tables (the residuals of a polynomial of the

@@ -127,13 +127,6 @@ const HEAVY_TAILED: f64 = 1.0;
 /// Of positions and of cut-offs that are equal but for it.
 const ROUNDING: f64 = 1e-6;
 
-impl Characterization {
-    /// Distances of the points across and along rows, m.
-    pub fn steps(&self) -> [f64; 2] {
-        [self.size.0 / self.points.0 as f64, self.size.1 / self.points.1 as f64]
-    }
-}
-
 /// Slope above which lengths may be in different units.
 const STEEP: f64 = 2.0;
 

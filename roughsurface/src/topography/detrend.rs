@@ -88,6 +88,7 @@ mod tests {
         Detrend::Plane.subtract(&mut rough);
         assert!((rough.mean_square() - 0.25).abs() < 0.01, "{}", rough.mean_square());
     }
+
     #[test]
     fn a_plane_has_no_roughness() {
         let slope = |place: usize| 1e-8 * (place % 64) as f64;

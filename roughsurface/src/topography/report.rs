@@ -47,8 +47,9 @@ fn product(summits: &Nayak) -> String {
 
 /// One number where it is the same across and along rows.
 fn distance_of_points(found: &Characterization) -> String {
-    let [across, along] = found.steps().map(|step| format!("{step:.4e}"));
-    match found.points.0 == 1 || across == along {
+    let ((rows, columns), (height, width)) = (found.points, found.size);
+    let [across, along] = [height / rows as f64, width / columns as f64].map(|step| format!("{step:.4e}"));
+    match rows == 1 || across == along {
         true => format!("{along} m"),
         false => format!("{across} x {along} m"),
     }

@@ -1,6 +1,6 @@
 //! Correction of discretisation errors of known sign: the slip at sliding inception, G and static friction are too small or
-//! too large on average, by an amount that depends on the interference. Reported values contain it (JCGM 100:2008, 3.2.4); what remains
-//! has either sign and is in the error estimates.
+//! too large on average, by an amount that depends on the interference. Reported values contain it (JCGM 100:2008, 3.2.4).
+//! What remains has either sign and is in the error estimates; above 300 ω_c it is larger, see the residuals of `mean_errors`.
 
 use tables::functions::interpolate;
 use tables::quantity::Quantity;
