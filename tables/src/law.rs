@@ -8,6 +8,9 @@ pub use crate::quantity::Estimate;
 /// hemisphere, and the base of the hemisphere is felt.
 pub const LARGEST_CONTACT: f64 = 0.4;
 
+/// Relative error from which on steady friction counts as unknown.
+pub const UNKNOWN_STEADY_FRICTION: f64 = 0.2;
+
 /// State of one asperity after a slip: SI units, the whole asperity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Response {

@@ -59,7 +59,7 @@ pub fn simulate(
     };
     match result {
         Ok(outcome) => Ok(of(outcome)),
-        Err(SimulationError::Unsupported(reason)) => Err(errors::refused("model.heat", reason)),
+        Err(SimulationError::Unsupported(reason)) => Err(errors::input(&reason, None, None, &reason)),
         Err(error) => {
             let message = error.to_string();
             let run = error.into_partial().map(|outcome| Py::new(py, of(*outcome))).transpose()?;

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use tables::quantity::Quantity;
 
 use super::progress::{Progress, watch_for_interrupt};
-use super::{Display, Failure, VerifyArguments, command_line, print};
+use super::{Display, Failure, VerifyArguments, command_line, outputs, print};
 
 /// Failures allowed, as a share of the cases that have a solution.
 const MOST_FAILURES: f64 = 0.03;
@@ -18,8 +18,7 @@ pub fn robustness(arguments: &VerifyArguments, display: &Display) -> Result<(), 
     cases.retain(|case| case.quick || !arguments.quick);
     let cases = arguments.chosen(cases, |case| &case.name)?;
     if let Some(directory) = &arguments.save {
-        std::fs::create_dir_all(directory)
-            .map_err(|error| Failure::input(format!("{}: {error}", directory.display())))?;
+        outputs::check_directory(directory)?;
     }
     watch_for_interrupt();
     let text = !display.json && !display.quiet;

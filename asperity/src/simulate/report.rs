@@ -1,6 +1,7 @@
 //! Report of a run: its histories, scalars and fields in SI units, account and warnings.
 
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
+use tables::law::UNKNOWN_STEADY_FRICTION;
 use tables::quantity::{Estimate, History, Quantity, Scalars};
 
 use super::ladder::Ladder;
@@ -139,6 +140,7 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     if is_stuck && run.failure.is_none() && scene.interface.law.has_friction() {
         warnings.push(Warning::NotSliding);
     }
+    warnings.extend(budget.filter(|_| !is_stuck).and_then(|budget| uncertain_steady_friction(budget, run)));
     warnings.extend(fast_inception(runner, run));
     warnings.extend(released_press(runner, run));
     let spread = run.values.bracket(Quantity::MuStatic) / run.values.value(Quantity::MuStatic);
@@ -184,6 +186,12 @@ fn warning_of_errors(budget: &ErrorBudget, run: &Run, accuracy: f64) -> Vec<Warn
     let (undetermined, inexact): (Vec<_>, Vec<_>) =
         above.map(warning).partition(|warning| matches!(warning, Warning::ErrorAboveValue { .. }));
     inexact.into_iter().take(1).chain(undetermined).collect()
+}
+
+/// Steady friction that counts as unknown.
+fn uncertain_steady_friction(budget: &ErrorBudget, run: &Run) -> Option<Warning> {
+    let error = budget.relative(Quantity::MuSteady, &run.values);
+    (error > UNKNOWN_STEADY_FRICTION).then_some(Warning::SteadyUncertain { error })
 }
 
 /// Sliding inception so fast that inertia counts.

@@ -95,6 +95,11 @@ pub enum Warning {
     )]
     StrainRate { radius: f64, share: f64 },
     #[error(
+        "the strength of {table} is that at low strain rates; at those of the contacts the metal is stronger, and static friction {:.0} % larger (at 20 omega_c, 0.1 mm and 1 m/s): --table {with_rate_law}",
+        100.0 * .share
+    )]
+    StrengthAtLowRates { table: String, with_rate_law: String, share: f64 },
+    #[error(
         "{at}: {:.1} % of the load rests on contacts whose slides in the table end before sliding begins: after a longer slip friction is that of their end; a table of a longer slip_distance goes on",
         100.0 * .share
     )]
@@ -246,6 +251,7 @@ impl Warning {
                 | Self::UnlikeRandomSurfaces { .. }
                 | Self::Topography(_)
                 | Self::MaterialUnused { .. }
+                | Self::StrengthAtLowRates { .. }
                 | Self::TablesDiffer { .. }
                 | Self::OneSided { .. }
                 | Self::PoissonRatioOfChangEtsionBogy { .. }

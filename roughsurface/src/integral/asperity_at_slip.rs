@@ -5,7 +5,9 @@ use crate::integral::rate_step::RateStep;
 use crate::surface::query::ContactLife;
 use std::f64::consts::PI;
 use std::sync::Arc;
-use tables::law::{AsperityLaw, Estimate, LookupError, OptionalEstimate, Response, SlidingResponse};
+use tables::law::{
+    AsperityLaw, Estimate, LookupError, OptionalEstimate, Response, SlidingResponse, UNKNOWN_STEADY_FRICTION,
+};
 
 /// A quantity that is integrated beside load, friction and area if it is asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,9 +25,6 @@ pub enum Additional {
     /// Load times the relative error of the slip at which the contact begins to slide, N.
     InceptionError,
 }
-
-/// Relative error from which on steady friction counts as unknown.
-pub(crate) const UNKNOWN_STEADY_FRICTION: f64 = 0.2;
 
 /// How far the contacts have slid.
 #[derive(Clone)]
@@ -230,16 +229,34 @@ impl<'a> AsperityAtSlip<'a> {
         }))
     }
 
-    /// Mean over the ages of a contact, slips from 0 to its life; beyond the histories of the law its friction is steady.
+    /// Mean over the ages of a contact, slips from 0 to its life.
     fn mean_over_life(&self, interference: f64, diameters: f64) -> Result<Response, LookupError> {
         let life = self.life(interference, diameters)?;
         let beyond = self.beyond_histories();
         let mut mean = MeanOverAges::default();
         mean.add_ages(1.0 - beyond, |share| (self.sliding)(interference, (1.0 - beyond) * share * life))?;
         if beyond > 0.0 {
-            mean.add(beyond, &self.steady(interference)?);
+            mean.add(beyond, &self.older_than_histories(interference, 1.0 - beyond)?);
         }
         Ok(mean.response())
+    }
+
+    /// Mean over the contacts that are older than the histories of the law, which end at the share `end` of the life.
+    ///
+    /// Friction approaches its steady value as 1/√s, as the temperature does: μ = μ_∞ + (μ_e − μ_∞)√(s_e/s) from the end
+    /// s_e of the history on. The mean has the weight w = 2/(1 + √(L/s_e)) of μ_e, L the life. The power is not exact:
+    /// w (1 − w)|μ_e − μ_∞| is an error.
+    fn older_than_histories(&self, interference: f64, end: f64) -> Result<Response, LookupError> {
+        let (last, steady) = ((self.sliding)(interference, f64::INFINITY)?, self.steady(interference)?);
+        let weight = 2.0 / (1.0 + end.recip().sqrt());
+        let mut mean = MeanOverAges::default();
+        mean.add(weight, &last);
+        mean.add(1.0 - weight, &steady);
+        let power = weight * (1.0 - weight) * (last.friction.value - steady.friction.value).abs();
+        let Response { friction, coefficient_error, .. } = mean.response();
+        let relative = if friction.value == 0.0 { 0.0 } else { power / friction.value.abs() };
+        let friction = Estimate { error: friction.error + power, ..friction };
+        Ok(Response { friction, coefficient_error: coefficient_error + relative, ..last })
     }
 
     /// The same of the slip `since` (m) a step of the slip rate: contacts born after the step, and before it.
@@ -346,10 +363,11 @@ mod tests {
         let lasting = response(ContactLife::Steady);
         assert!((lasting.friction.value - 2e-5).abs() < 1e-19, "{lasting:?}");
         assert!((lasting.coefficient_error - 0.05).abs() < 1e-12, "{lasting:?}");
-        // A life of 8 a: a quarter of the ages within the histories.
+        // A life of 8 a: a quarter of the ages within the histories, and the end of these has the weight 2/3 in the rest.
         let (young, mean) = (response(ContactLife::Diameters(1.0)), response(ContactLife::Diameters(4.0)));
-        let exact = 0.25 * young.friction.value + 0.75 * 2e-5;
-        assert!((mean.friction.value - exact).abs() < 1e-12 * exact, "{mean:?}");
+        let last = 1e-4 * (0.2 + 0.4 * f64::exp(-2.0));
+        let exact = 0.25 * young.friction.value + 0.75 * (2.0 * last + 2e-5) / 3.0;
+        assert!((mean.friction.value - exact).abs() < 1e-12 * exact, "{mean:?} {exact}");
 
         let unsteady = |law: &PowerLaw, life| {
             let asperity = asperity(law).of_all_ages(life).with(Additional::UnsteadyLoad);
@@ -367,6 +385,23 @@ mod tests {
             assert_eq!(unsteady(law, ContactLife::Diameters(life)), (share, known));
         }
         assert_eq!(unsteady(&silent, ContactLife::Steady), (1.0, false));
+    }
+
+    /// μ = 0.02 + 0.4/√(s/a) to any age, and as a history that ends at 2 a with its steady value.
+    #[test]
+    fn friction_beyond_the_histories_approaches_its_steady_value() {
+        let history = |_: f64, slip: f64, radius: f64| 0.02 + 0.4 / (slip / radius).sqrt();
+        let whole = PowerLaw { history, ..PowerLaw::hertz() };
+        let steady = Some(Estimate::exact(0.02 * whole.friction.0 / whole.load.0));
+        let short = PowerLaw { last_slip: 2.0, steady, ..whole.clone() };
+        for diameters in [1.5, 4.0, 20.0] {
+            let of =
+                |law| asperity(law).of_all_ages(ContactLife::Diameters(diameters)).response(1.0).unwrap();
+            let (whole, short) = (of(&whole), of(&short));
+            let difference = (whole.friction.value - short.friction.value).abs();
+            assert!(difference < 3e-3 * whole.friction.value, "{diameters}: {short:?} {whole:?}");
+            assert!(short.coefficient_error > whole.coefficient_error, "{diameters}: {short:?}");
+        }
     }
 
     #[test]

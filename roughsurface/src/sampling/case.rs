@@ -15,7 +15,9 @@ use crate::topography::characterize::{Characterization, SummitsAt};
 use crate::topography::report;
 use tables::closed_forms::ElasticPlastic;
 use tables::netcdf::input::Override;
+use tables::quantity::Quantity;
 use tables::quantity::plausible::remarks;
+use tables::shipped;
 
 /// A prediction with comparisons and parameter uncertainties.
 #[derive(Clone, Debug)]
@@ -87,6 +89,7 @@ impl Case {
         warnings.extend(self.unlike_random_surfaces());
         warnings.extend(self.unused_material());
         warnings.extend(self.strain_rate());
+        warnings.extend(self.strength_at_low_rates());
         let cells = &self.source.missing_cells;
         if !cells.is_empty() {
             warnings.push(Warning::CellsMissing { cells: cells.clone() });
@@ -172,6 +175,20 @@ impl Case {
         (share > COUNTS).then_some(Warning::StrainRate { radius, share })
     }
 
+    /// Of a shipped table without rate law, where that of the metal counts.
+    fn strength_at_low_rates(&self) -> Option<Warning> {
+        const COUNTS: f64 = 0.02;
+        let names = shipped::without_and_with_rate_law(&self.table)?;
+        let static_friction = |name: &String| {
+            let table = shipped::table(name).ok()?;
+            Some(table.estimate(Quantity::MuStatic, 1e-4, 20.0, 1.0).ok()?.value)
+        };
+        let share = static_friction(&names[1])? / static_friction(&names[0])? - 1.0;
+        let [_, with_rate_law] = names;
+        let table = self.table.clone();
+        (share > COUNTS).then_some(Warning::StrengthAtLowRates { table, with_rate_law, share })
+    }
+
     /// Friction with the uncertain parameters, beside the closed forms `compared`, and of a topography at other cut-offs;
     /// `show` is told slips done and in all. Constants of the scene are those of the table.
     pub fn predict(
@@ -237,4 +254,35 @@ pub fn surface_of(
     overrides: &[Override],
 ) -> Result<SurfaceFile, SurfaceFileError> {
     SurfaceFile::parse_with(place, report::surface_file(found, name, None), overrides)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SURFACE: &str = "[surface]\nasperity_density = 1e10\nasperity_radius = 50e-6\n\
+        heights = { distribution = \"gaussian\", std = 0.5e-6 }\n[query]\npressure = 1e6\nslip_rate = 1.0\n";
+
+    /// V/a is here the geometric mean of those of the two columns in the block `rate-law` of the chapter "Shipped tables",
+    /// and the change their mean: it is linear in ln(V/a).
+    #[test]
+    fn a_shipped_table_of_strength_at_low_rates_says_what_that_leaves_out() {
+        let left_out = |table: &str| {
+            let file = SurfaceFile::parse(Path::new("s.toml"), SURFACE.to_owned()).unwrap();
+            let warnings = Case::open(file, None, table, false).unwrap().warnings();
+            warnings.into_iter().find_map(|warning| match warning {
+                Warning::StrengthAtLowRates { with_rate_law, share, .. } => Some((with_rate_law, share)),
+                _ => None,
+            })
+        };
+        for (table, share) in [("steel-4340", 0.0965), ("steel-4340-rigid", 0.0965), ("copper", 0.2635)] {
+            let (with_rate_law, found) = left_out(table).unwrap();
+            let metal = table.trim_end_matches("-rigid");
+            assert_eq!(with_rate_law, format!("{metal}-rate"));
+            assert!((found - share).abs() < 0.01, "{table}: {found}");
+        }
+        assert_eq!(left_out("steel-4340-rate"), None);
+        // 1 %.
+        assert_eq!(left_out("aluminium-6061"), None);
+    }
 }

@@ -6,8 +6,10 @@ use super::ROUNDING;
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, HeatRatio, extrapolated};
 use super::nodes::{self, Absent, Errors, Field, Nodes, Values, blend, rate_coordinate};
 use super::plastic_limit::AboveLastRow;
+use super::scalar::OF_STRAIGHT;
 use super::steffen::{self, Location, locate};
 use crate::law::{LARGEST_CONTACT, covers};
+use crate::quantity::{COVERAGE_FACTOR, OF_BOUND};
 use crate::table::{Axes, Slice};
 
 /// Interpolates the fields of the response.
@@ -28,6 +30,9 @@ pub(super) struct Interpolant {
     /// ln ω at which the contact radius is the largest that the sphere allows, at least that of the last row.
     pub(super) log_end: f64,
 }
+
+const FRICTION: usize = Field::Friction as usize;
+const RISE: usize = Field::TemperatureRise as usize;
 
 /// Share of the histories from whose state to the last one their trend is taken.
 const TREND: f64 = 0.5;
@@ -83,7 +88,21 @@ impl Interpolant {
 
     /// State of a row at a slip rate and slip.
     fn row(&self, i: usize, rate: Location, slip: Location) -> Result<Values, Absent> {
-        blend(&self.rate_coordinate, rate, |j| self.nodes.state(i, j, slip).ok_or((i, j)))
+        let state = |j: usize| self.nodes.state(i, j, slip).ok_or((i, j));
+        let mut values = blend(&self.rate_coordinate, rate, state)?;
+        if let Some(growth) = self.growth_of_rise_after(i, rate, slip) {
+            let first = state(1)?;
+            values[RISE] = first[RISE] * rate.t * growth * values[FRICTION] / first[FRICTION];
+        }
+        Ok(values)
+    }
+
+    /// [`growth_of_rise`](Self::growth_of_rise) of the highest temperature after a slip.
+    fn growth_of_rise_after(&self, i: usize, rate: Location, slip: Location) -> Option<f64> {
+        self.growth_of_rise(i, rate, |i, j| {
+            let state = self.nodes.state(i, j, slip)?;
+            Some([state[RISE], state[FRICTION]])
+        })
     }
 
     /// a₀ between the rows, m.
@@ -182,6 +201,9 @@ impl Interpolant {
         let mut error = self.nodes.relative_error(at, rate, slip);
         for (error, uncertainty) in error.iter_mut().zip(uncertainty) {
             *error = factor * *error + uncertainty;
+        }
+        if let Some(growth) = self.growth_of_rise_after(at.nearest(), rate, slip) {
+            error[RISE] = error[RISE].hypot(COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * (growth - 1.0));
         }
         Ok((values, error))
     }

@@ -7,8 +7,7 @@
 //!   contact](crate::law::LARGEST_CONTACT).
 //! - **Slip rate**: the same in ξ(V) = 1 + ln(V/V₁) from the first positive slip rate V₁ on and
 //!   ξ = V/V₁ below it, down to the isothermal limit V = 0 at ξ = 0 where the table has one. ξ
-//!   and its derivative are continuous at V₁; heating of a resting source is linear in V at
-//!   small V.
+//!   and its derivative are continuous at V₁. Temperature rises below V₁: see `low_rates`.
 //! - **Slip**: monotone cubic in s/a₀ between the points of the histories, constant after the last.
 //! - **Radius**: read at VR/R_t, ω/ω_c and s/a₀; forces and areas scale with (R/R_t)². A strength that grows with the
 //!   strain rate adds to the errors.
@@ -25,6 +24,7 @@ mod failed_cells;
 mod hertz_limit;
 mod histories;
 mod interpolant;
+mod low_rates;
 mod nodes;
 mod plastic_limit;
 mod scalar;

@@ -10,7 +10,7 @@ use crate::quantity::{COVERAGE_FACTOR, ElasticLimit, OF_BOUND, Quantity};
 
 /// Bound of the error of the cubic over its difference to linear interpolation, which is of second order, the cubic of
 /// third. Tables of twice the intervals need no more: see `omitted_points_lie_within_the_stated_errors`.
-const OF_STRAIGHT: f64 = 0.5;
+pub(super) const OF_STRAIGHT: f64 = 0.5;
 
 impl InterpolatedTable {
     /// One of the scalars, for a sphere of `radius` (m) pressed by `interference` (ω/ω_c) and
@@ -88,6 +88,27 @@ impl InterpolatedTable {
         ends(place).all(|(i, _)| ends(rate).all(|(j, _)| begins(i, j)))
     }
 
+    /// A temperature rise below the first positive slip rate, and its difference to one in proportion to QV.
+    fn rise_at_low_rate(
+        &self,
+        quantity: Quantity,
+        origin: f64,
+        i: usize,
+        rate: Location,
+    ) -> Option<(f64, f64)> {
+        let value = |i: usize, j: usize, quantity: Quantity| Some(self.cell(i, j)?[quantity].value);
+        let of = |i: usize, j: usize| {
+            let rise = quantity.above_origin(value(i, j, quantity)?, origin);
+            Some([rise, value(i, j, Quantity::Friction)?])
+        };
+        let growth = self.interpolant.growth_of_rise(i, rate, of).filter(|_| quantity.is_temperature())?;
+        let friction = |j: usize| value(i, j, Quantity::Friction).ok_or((i, j));
+        let (now, _) = blend_with_bend(&self.interpolant.rate_coordinate, rate, friction).ok()?;
+        let [rise, first] = of(i, 1)?;
+        let straight = rise * rate.t * now / first;
+        Some((growth * straight, (growth - 1.0) * straight))
+    }
+
     /// (value above `origin`, error) at the radius of the table and inside its rows.
     fn between(
         &self,
@@ -109,7 +130,10 @@ impl InterpolatedTable {
             0.0
         };
         let row = |i: usize| -> Result<(f64, f64), Absent> {
-            let (value, bend) = blend_with_bend(rate_coordinate, rate, |j| Ok(at(i, j)?.0))?;
+            let (value, bend) = match self.rise_at_low_rate(quantity, origin, i, rate) {
+                Some(value_and_bend) => value_and_bend,
+                None => blend_with_bend(rate_coordinate, rate, |j| Ok(at(i, j)?.0))?,
+            };
             let unknown = if only_two > 0.0 { only_two * (at(i, 1)?.0 - at(i, 0)?.0).abs() } else { 0.0 };
             Ok((value, bend.max(unknown)))
         };

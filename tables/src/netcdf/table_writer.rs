@@ -1,4 +1,4 @@
-//! Writes a slice.
+//! Writes a table.
 
 use std::path::Path;
 

@@ -48,6 +48,13 @@ pub fn on_rigid_flat(metal: &str) -> String {
     format!("{metal}{RIGID}")
 }
 
+/// The shipped tables of a metal without and with a rate law, if `asked` is one without.
+pub fn without_and_with_rate_law(asked: &str) -> Option<[String; 2]> {
+    let metal = asked.strip_suffix(RIGID).unwrap_or(asked);
+    let is_shipped = metals().any(|known| known == metal) && !Path::new(asked).is_file();
+    is_shipped.then(|| [metal.to_owned(), format!("{metal}{RATE}")])
+}
+
 /// Why a table is unavailable.
 #[derive(Debug, thiserror::Error)]
 pub enum TableSourceError {

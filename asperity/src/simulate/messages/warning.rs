@@ -41,6 +41,12 @@ pub enum Warning {
         "sliding has not begun by the end of the slide: mu, mu_static, Q, Q_static, G and inception_slip are those of its end, in partial slip, and mu_steady has no meaning; a longer slip_distance lets it begin"
     )]
     NotSliding,
+    /// Relative error of steady friction.
+    #[error(
+        "mu_steady is uncertain by {}: the contact is not steady by the end of the slide, nor of the longer one on a coarse mesh",
+        if *.error < 1.0 { format!("{:.0} %", 100.0 * .error) } else { "more than its value".into() }
+    )]
+    SteadyUncertain { error: f64 },
     /// Relative difference of static friction by the threshold of the stiffness, where it decides on sliding inception.
     #[error(
         "contact points stick to the end: sliding begins where the stiffness dQ/ds is 1 % of its initial value; by 10, 5 or 2 % mu_static differs by {}, which its error contains",

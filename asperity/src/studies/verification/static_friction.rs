@@ -75,7 +75,7 @@ fn elastic(watch: &dyn Watch) -> Rows {
 
 fn full_stick(watch: &dyn Watch) -> Rows {
     let mut rows = Vec::new();
-    for (interference, shares) in [(10.0, &[0.1, 0.05][..]), (30.0, &[0.1][..])] {
+    for (interference, shares) in [(10.0, &[0.1, 0.05][..]), (30.0, &[0.1]), (100.0, &[0.1])] {
         let outcome = slide(FrictionLaw::FullStick, interference, 0.008, watch)?;
         for &share in shares {
             let name =

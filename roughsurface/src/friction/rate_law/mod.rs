@@ -96,6 +96,15 @@ impl RateLaw {
         self.plateau.value + (self.mu_0.value - self.plateau.value) * share
     }
 
+    /// Whether −dμ/d ln V at the fastest slip rate is below half of its largest value. With x = (V/V*)^n it is in proportion to
+    /// x/(1 + x)^{1+m}, which is largest at x = 1/m.
+    fn reaches_plateau(&self) -> bool {
+        let m = self.form.outer_exponent;
+        let slope = |x: f64| x * (1.0 + x).powf(-1.0 - m);
+        let fastest = (self.fastest / self.velocity.value).powf(self.exponent.value);
+        fastest > 1.0 / m && slope(fastest) < 0.5 * slope(1.0 / m)
+    }
+
     /// Why law and data do not agree or its parameters are not determined; none of a reliable law.
     pub fn doubt(&self) -> Option<Doubt> {
         if self.criterion.is_nan() {
@@ -107,6 +116,8 @@ impl RateLaw {
             Some(Doubt::Extrapolated(self.fastest))
         } else if self.velocity.value < self.second {
             Some(Doubt::OnsetNotSeen(self.second))
+        } else if self.form.has_plateau && !self.reaches_plateau() {
+            Some(Doubt::PlateauNotSeen)
         } else if self.velocity.error > 0.5 * self.velocity.value {
             Some(Doubt::Uncertain)
         } else {
@@ -127,6 +138,8 @@ pub enum Doubt {
     Extrapolated(f64),
     #[error("V* or V_w is below the second slip rate, {0} m/s: the onset of weakening is not resolved")]
     OnsetNotSeen(f64),
+    #[error("the slip rates do not reach the plateau: friction still falls at the fastest")]
+    PlateauNotSeen,
     #[error("the velocity is not known to half of itself")]
     Uncertain,
 }
@@ -148,7 +161,10 @@ pub enum NoFit {
     NoWeakening,
     #[error("the slip rates do not bracket the onset of weakening")]
     OnsetOutside,
-    #[error("the slip rates do not reach the plateau: fewer than two are above V* = {0:.3e} m/s")]
+    #[error(
+        "the slip rates do not reach the plateau: at the fastest, friction still falls with ln V at more than half of its largest \
+         rate (V* = {0:.3e} m/s)"
+    )]
     NoPlateau(f64),
     #[error("the plateau that fits best is negative, {0:.2}")]
     NegativePlateau(f64),
@@ -216,7 +232,7 @@ fn fit(form: &'static Form, curve: &Curve) -> Result<RateLaw, NoFit> {
     let below = curve.rates().filter(|rate| *rate < law.velocity.value).count();
     match form.has_plateau {
         true if *form == FLASH_HEATING && (above < 2 || below < 1) => Err(NoFit::OnsetOutside),
-        true if *form != FLASH_HEATING && above < 2 => Err(NoFit::NoPlateau(law.velocity.value)),
+        true if *form != FLASH_HEATING && !law.reaches_plateau() => Err(NoFit::NoPlateau(law.velocity.value)),
         true if *form != FLASH_HEATING && law.plateau.value < 0.0 => {
             Err(NoFit::NegativePlateau(law.plateau.value))
         }

@@ -98,9 +98,12 @@ fn a_plateau_that_is_not_reached_and_parameters_that_are_not_determined_are_refu
         matches!(laws.candidates[2], Err(NoFit::NoPlateau(velocity)) if (velocity / 60.0 - 1.0).abs() < 1e-3)
     );
     assert!(!laws.chosen.unwrap().form.has_plateau);
+    // Two slip rates are above V*, and friction falls fastest there.
+    let slow = exact(&rates, |rate| 0.2 + 0.1 / (1.0 + (rate / 4.0).sqrt()));
+    assert!(matches!(choose(&rates, &slow).candidates[2], Err(NoFit::NoPlateau(_))));
     // One decade about V*: exponent and plateau act alike.
     let rates = Log.range(1.0, 10.0, 9);
-    let short = exact(&rates, |rate| 0.2 + 0.3 / (1.0 + (rate / 4.0f64).powf(0.7)));
+    let short = exact(&rates, |rate| 0.2 + 0.3 / (1.0 + (rate / 0.7f64).powf(0.7)));
     assert!(
         matches!(choose(&rates, &short).candidates[3], Err(NoFit::Undetermined(condition)) if condition > 100.0)
     );
@@ -196,7 +199,8 @@ fn the_best_of_several_minima_is_found_and_errors_reach_those_that_the_scatter_d
 
 #[test]
 fn errors_cover_the_parameters_of_other_ranges_where_the_form_is_another() {
-    // Exponential weakening is none of the forms: the law of one range of slip rates is not that of another.
+    // Exponential weakening is none of the forms: the law of one range of slip rates is not that of another. V* of laws with
+    // a plateau is another slip rate than that of laws without.
     let fitted = |from: f64, to: f64, count: usize| {
         let rates = Log.range(from, to, count);
         choose(&rates, &exact(&rates, |rate| 0.1 + 0.3 * (-(rate / 3.0f64).sqrt()).exp())).chosen.unwrap()
@@ -209,9 +213,12 @@ fn errors_cover_the_parameters_of_other_ranges_where_the_form_is_another() {
             .collect();
     let ends =
         |law: &RateLaw| [law.velocity.value - law.velocity.error, law.velocity.value + law.velocity.error];
-    let lowest = reliable.iter().map(|law| ends(law)[1]).fold(f64::INFINITY, f64::min);
-    let highest = reliable.iter().map(|law| ends(law)[0]).fold(0.0, f64::max);
-    assert!(reliable.len() > 1 && highest <= lowest, "{reliable:?}");
+    for has_plateau in [false, true] {
+        let alike = || reliable.iter().filter(|law| law.form.has_plateau == has_plateau).map(ends);
+        let lowest = alike().map(|ends| ends[1]).fold(f64::INFINITY, f64::min);
+        let highest = alike().map(|ends| ends[0]).fold(0.0, f64::max);
+        assert!(alike().count() > 1 && highest <= lowest, "{reliable:?}");
+    }
 }
 
 /// One slip rate below V_w does not show where weakening begins.

@@ -6,11 +6,10 @@ use super::{Pressed, Slide, Sweep};
 use crate::friction::contacts::Contacts;
 use crate::friction::slip_curve::{Inception, SlipState};
 use crate::friction::warning::{Place, Warning};
-use crate::integral::asperity_at_slip::UNKNOWN_STEADY_FRICTION;
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::surface::query::ContactLife;
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
-use tables::law::AboveRange;
+use tables::law::{AboveRange, UNKNOWN_STEADY_FRICTION};
 
 /// Share of the load below the first interference of a table above which a warning says that the result rests on the elastic
 /// limit rather than on the table.
