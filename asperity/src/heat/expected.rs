@@ -4,7 +4,7 @@
 //! Heat in Solids, 1959, §8.2), and its effects: softening changes the strength; thermal expansion and
 //! softer moduli change the load at constant interference.
 
-use crate::material::{SHEAR_RATIO, Solid};
+use crate::material::Solid;
 use crate::scene::fitted_constants::heat_effect::LOAD_OF_EXPANSION;
 use crate::scene::{Scene, Switch};
 
@@ -63,10 +63,11 @@ impl HeatEffect {
         let scene = &scene.with_combined_modulus();
         let (material, interface) = (&scene.material, &scene.interface);
         let solid = Solid::new(material, scene.loading.temperature);
-        let strength = interface.strength_factor
-            * SHEAR_RATIO
-            * material.yield_strength
-            * solid.interface_rate_factor(slip_rate, contact_radius);
+        let strength = scene.interface_strength()
+            * match interface.law.film(scene.loading.temperature) {
+                Some(_) => 1.0,
+                None => solid.interface_rate_factor(slip_rate, contact_radius),
+            };
         let share = match scene.largest_heat_partition() {
             0.0 => interface.taylor_quinney,
             partition => partition,
@@ -159,6 +160,7 @@ pub fn choose_heat(scene: &Scene, slip_rate: f64, effect: &HeatEffect) -> HeatCh
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::material::SHEAR_RATIO;
     use crate::scene::tests::of_preset;
 
     /// The loss of strength is that of the softening law, also where its initial slope is infinite.

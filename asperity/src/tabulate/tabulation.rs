@@ -175,7 +175,8 @@ impl Tabulation {
                 conductance if conductance.is_finite() => conductance,
                 _ => interface.gap_conductance,
             },
-            counterface: scene.counterface.to_string(),
+            // One body at all temperatures; its tables over temperature are read at the lowest one.
+            counterface: self.request.templates()[0].counterface.to_string(),
             fracture_energy: Some(fracture_energy(&scene.material)),
             interpolation_tolerance: None,
         }

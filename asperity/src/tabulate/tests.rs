@@ -295,6 +295,17 @@ fn a_film_has_its_strength_at_each_temperature() {
 }
 
 #[test]
+fn a_counterface_over_temperature_is_that_of_the_lowest_one() {
+    let all = table(&whole(
+        &format!("{TEMPERATURES}[counterface]\npreset = \"titanium-6al4v\"\n"),
+        &Fake::default(),
+        1,
+    ));
+    let stated = |slice: &Slice| slice.metadata().counterface_constants()["thermal_conductivity"];
+    assert_eq!(all.slices().iter().map(stated).collect::<Vec<_>>(), [7.0; 3]);
+}
+
+#[test]
 fn every_temperature_has_the_table_of_its_own_request() {
     let all = table(&whole(TEMPERATURES, &Fake::default(), 2));
     let request = request(TEMPERATURES);

@@ -56,6 +56,12 @@ pub enum Warning {
     )]
     FewContacts { at: Place, count: f64 },
     #[error(
+        "{at}: a nominal area with sides of {} m has {} contacts on average: friction is the mean over many such areas, from which that of one may be far; `roughsurface sample` draws finite surfaces",
+        plain(*.size),
+        digits(*.count, 2)
+    )]
+    SmallArea { at: Place, size: f64, count: f64 },
+    #[error(
         "{at}: up to {:.2} % of the load of a surface lies above the last interference of the table and is extrapolated towards the fully plastic limit",
         100.0 * .share
     )]

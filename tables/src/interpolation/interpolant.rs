@@ -4,6 +4,7 @@ use roots::{SimpleConvergency, find_root_brent};
 
 use super::ROUNDING;
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, HeatRatio, extrapolated};
+use super::low_rates::Growth;
 use super::nodes::{self, Absent, Errors, Field, Nodes, Values, blend, rate_coordinate};
 use super::plastic_limit::AboveLastRow;
 use super::scalar::OF_STRAIGHT;
@@ -92,13 +93,13 @@ impl Interpolant {
         let mut values = blend(&self.rate_coordinate, rate, state)?;
         if let Some(growth) = self.growth_of_rise_after(i, rate, slip) {
             let first = state(1)?;
-            values[RISE] = first[RISE] * rate.t * growth * values[FRICTION] / first[FRICTION];
+            values[RISE] = first[RISE] * rate.t * growth.factor * values[FRICTION] / first[FRICTION];
         }
         Ok(values)
     }
 
     /// [`growth_of_rise`](Self::growth_of_rise) of the highest temperature after a slip.
-    fn growth_of_rise_after(&self, i: usize, rate: Location, slip: Location) -> Option<f64> {
+    fn growth_of_rise_after(&self, i: usize, rate: Location, slip: Location) -> Option<Growth> {
         self.growth_of_rise(i, rate, |i, j| {
             let state = self.nodes.state(i, j, slip)?;
             Some([state[RISE], state[FRICTION]])
@@ -203,7 +204,7 @@ impl Interpolant {
             *error = factor * *error + uncertainty;
         }
         if let Some(growth) = self.growth_of_rise_after(at.nearest(), rate, slip) {
-            error[RISE] = error[RISE].hypot(COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * (growth - 1.0));
+            error[RISE] = error[RISE].hypot(COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * growth.bend);
         }
         Ok((values, error))
     }

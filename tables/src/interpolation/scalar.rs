@@ -88,7 +88,7 @@ impl InterpolatedTable {
         ends(place).all(|(i, _)| ends(rate).all(|(j, _)| begins(i, j)))
     }
 
-    /// A temperature rise below the first positive slip rate, and its difference to one in proportion to QV.
+    /// A temperature rise below the first positive slip rate, and its [`bend`](super::low_rates::Growth).
     fn rise_at_low_rate(
         &self,
         quantity: Quantity,
@@ -106,7 +106,8 @@ impl InterpolatedTable {
         let (now, _) = blend_with_bend(&self.interpolant.rate_coordinate, rate, friction).ok()?;
         let [rise, first] = of(i, 1)?;
         let straight = rise * rate.t * now / first;
-        Some((growth * straight, (growth - 1.0) * straight))
+        let rise = growth.factor * straight;
+        Some((rise, growth.bend * rise.abs()))
     }
 
     /// (value above `origin`, error) at the radius of the table and inside its rows.
@@ -130,10 +131,10 @@ impl InterpolatedTable {
             0.0
         };
         let row = |i: usize| -> Result<(f64, f64), Absent> {
-            let (value, bend) = match self.rise_at_low_rate(quantity, origin, i, rate) {
-                Some(value_and_bend) => value_and_bend,
-                None => blend_with_bend(rate_coordinate, rate, |j| Ok(at(i, j)?.0))?,
-            };
+            if let Some(value_and_bend) = self.rise_at_low_rate(quantity, origin, i, rate) {
+                return Ok(value_and_bend);
+            }
+            let (value, bend) = blend_with_bend(rate_coordinate, rate, |j| Ok(at(i, j)?.0))?;
             let unknown = if only_two > 0.0 { only_two * (at(i, 1)?.0 - at(i, 0)?.0).abs() } else { 0.0 };
             Ok((value, bend.max(unknown)))
         };

@@ -304,6 +304,39 @@ mod tests {
         assert!(all > 100 && inside as f64 > 0.95 * f64::from(all), "{inside} of {all}");
     }
 
+    /// Without their first two slip rates above zero the tables begin at a tenfold one.
+    #[test]
+    fn rises_below_the_first_slip_rate_lie_within_the_stated_errors() {
+        for quantity in [Quantity::TemperatureMax, Quantity::TemperatureMean] {
+            let (mut inside, mut all, mut farthest) = (0, 0, 0.0_f64);
+            for name in names().filter(|name| !name.ends_with(RATE)) {
+                let whole = table(name).unwrap();
+                let (radius, base) = (whole.metadata().asperity_radius, whole.metadata().temperature);
+                let rates = &whole.axes().slip_rate;
+                let axes = Axes { slip_rate: [&rates[..1], &rates[3..]].concat(), ..whole.axes().clone() };
+                let coarse = (*whole).clone().regridded(axes).unwrap().interpolated();
+                for (i, j) in whole.grid().filter(|(_, j)| [1, 2].contains(j)) {
+                    let (omega, rate) = whole.coordinates(i, j);
+                    let cell = whole.cell(i, j).unwrap();
+                    let end = whole.axes().slip.last().unwrap() * cell[Quantity::ContactRadius].value;
+                    let found = match quantity {
+                        Quantity::TemperatureMax => {
+                            coarse.response(radius, omega, rate, end).unwrap().temperature_max
+                        }
+                        _ => coarse.estimate(quantity, radius, omega, rate).unwrap(),
+                    };
+                    let truth = cell[quantity];
+                    let off = (found.value - truth.value).abs();
+                    all += 1;
+                    inside += usize::from(off <= found.error.hypot(truth.error));
+                    farthest = farthest.max(off / (truth.value - base));
+                }
+            }
+            println!("{quantity:?}: {inside} of {all}, at most {:.0} %", 100.0 * farthest);
+            assert!(all > 200 && inside as f64 >= 0.95 * f64::from(all), "{quantity:?}: {inside} of {all}");
+        }
+    }
+
     /// Values at the omitted points of thinned tables lie within the errors of the difference, of scalars and of the
     /// response at the last slip; the median of these errors is not far above that of the cells.
     #[test]

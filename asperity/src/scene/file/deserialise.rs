@@ -37,7 +37,7 @@ fn explain<T: DeserializeOwned>(
 ) -> SceneFileError {
     let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
     if message.starts_with("missing field") && !quoted.is_empty() {
-        let inner = join(inner, quoted[0]);
+        let inner = missing_in(quoted[0], inner, table, keys);
         let full = join(path, &inner);
         if full.starts_with("material.") && presets::REQUIRED.contains(&quoted[0]) {
             let given = table.get("material").and_then(Value::as_table);
@@ -68,6 +68,21 @@ fn explain<T: DeserializeOwned>(
         false => allowed::<T>(&inner, table, keys),
     };
     source.invalid(&join(path, &inner), value, allowed)
+}
+
+/// The missing key of this name in the section at `path`: that of a law within the section, whose keys serde reads with it, if
+/// only the law has such a key.
+fn missing_in(name: &str, path: &str, table: &Table, keys: &[Key]) -> String {
+    let own = join(path, name);
+    let section = if path.is_empty() { Some(table) } else { value_at(table, path).and_then(Value::as_table) };
+    let within = |(law, value): (&String, &Value)| {
+        let key = join(&join(path, law), name);
+        (value.get("law").is_some() && value.get(name).is_none() && find(keys, &key).is_some()).then_some(key)
+    };
+    match find(keys, &own) {
+        None => section.and_then(|section| section.iter().find_map(within)).unwrap_or(own),
+        Some(_) => own,
+    }
 }
 
 /// The key `law` with this name: that at `path`, or of a law within the same section, whose keys serde reads with it.
@@ -136,5 +151,26 @@ mod tests {
         assert_eq!(refused(&[set, "loading.slip_rate=1"]), of_set);
         let own = refused(&["interface.law=briscoe", "loading.slip_rate=1"]);
         assert!(own.contains("interface.law = \"briscoe\""), "{own}");
+    }
+
+    #[test]
+    fn a_missing_key_of_a_film_is_not_one_of_its_interface() {
+        for (law, missing) in [
+            (
+                "{ law = \"johnson-cook\", reference = 298, melting = 1458 }",
+                "exponent is missing; it must be a positive number",
+            ),
+            (
+                "{ law = \"table\", temperature = [77, 298] }",
+                "factor is missing; it must be a list, not empty, of: zero or a positive number",
+            ),
+        ] {
+            let text = format!(
+                "material.preset = \"copper\"\nasperity.radius = 1e-3\nloading = {{ interference = 1, slip_rate = 1 }}\n\
+                 interface = {{ law = \"briscoe-tabor\", film_strength = 6e7, film_softening = {law} }}"
+            );
+            let refused = parse_scene(&text, "this test", &[]).unwrap_err().to_string();
+            assert_eq!(refused, format!("this test: interface.film_softening.{missing}"));
+        }
     }
 }

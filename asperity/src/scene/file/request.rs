@@ -45,7 +45,9 @@ impl Request {
     /// Warnings about all cells, a sentence each; see [`Scene::remarks`].
     pub fn remarks(&self) -> Vec<String> {
         let of_template = self.template.remarks_with(&document(self));
-        of_template.into_iter().chain(self.between_temperatures()).collect()
+        let lowest = self.temperatures.first().map(|lowest| self.template.at_temperature(*lowest));
+        let of_lowest = lowest.and_then(|scene| scene.below_reference("table.temperature"));
+        of_template.into_iter().chain(of_lowest).chain(self.between_temperatures()).collect()
     }
 
     /// Those of values that are probably in another unit.

@@ -54,7 +54,8 @@ impl Scene {
     /// All, with the implausible values of a document made from the scene.
     pub(crate) fn remarks_with(&self, document: &Table) -> Vec<String> {
         let strength = self.equal_strength().into_iter().chain(self.reference_temperature());
-        let strength = strength.chain(self.below_reference()).chain(self.tensile_strength());
+        let strength =
+            strength.chain(self.below_reference("loading.temperature")).chain(self.tensile_strength());
         strength
             .chain(self.softer_counterface())
             .chain(self.isothermal_counterface())
@@ -167,24 +168,22 @@ impl Scene {
         })
     }
 
-    /// Whether the interface is as strong as the body below it, which then shears: at the highest pressure, that of Hertz
-    /// or the hardness of 3σ_Y (Tabor 1951), where its strength depends on it.
+    /// Whether the interface is as strong as the body below it, which then shears.
     pub(crate) fn interface_as_strong(&self) -> bool {
+        let has_friction = self.interface.law.has_friction();
+        has_friction && self.interface_strength() >= self.material.elastic_plastic().shear_strength()
+    }
+
+    /// Limit of the shear traction at the initial temperature, Pa: at the highest pressure, that of Hertz or the hardness of 3σ_Y
+    /// (Tabor 1951), where it depends on it. That of the metal where no law limits it.
+    pub(crate) fn interface_strength(&self) -> f64 {
         const HARDNESS: f64 = 3.0;
         let Interface { ref law, strength_factor, .. } = self.interface;
-        let body = self.material.elastic_plastic().shear_strength();
-        let of_metal = strength_factor * body;
-        let limit = match law.film(self.loading.temperature) {
-            Some((film, coefficient)) => {
-                let elastic =
-                    yield_coefficient(self.material.poisson_ratio) * self.loading.interference.sqrt();
-                let limit = film + coefficient * elastic.min(HARDNESS) * self.material.yield_strength;
-                if law.has_cap() { limit.min(of_metal) } else { limit }
-            }
-            None if law.has_friction() => of_metal,
-            None => 0.0,
-        };
-        limit >= body
+        let of_metal = strength_factor * self.material.elastic_plastic().shear_strength();
+        let Some((film, coefficient)) = law.film(self.loading.temperature) else { return of_metal };
+        let elastic = yield_coefficient(self.material.poisson_ratio) * self.loading.interference.sqrt();
+        let limit = film + coefficient * elastic.min(HARDNESS) * self.material.yield_strength;
+        if law.has_cap() { limit.min(of_metal) } else { limit }
     }
 
     /// Bounds of the errors where shear localises in one layer of elements under the interface at the plastic strain of a contact
@@ -241,7 +240,7 @@ impl Scene {
     }
 
     /// An initial temperature below that of the law of Johnson & Cook, which is constant there, as one in degrees Celsius is.
-    fn below_reference(&self) -> Option<String> {
+    pub(crate) fn below_reference(&self, key: &str) -> Option<String> {
         const FAR: f64 = 50.0;
         // Lower ones are implausible under any law.
         const LEAST: f64 = 77.0;
@@ -249,7 +248,7 @@ impl Scene {
         let Softening::JohnsonCook { reference, .. } = self.material.softening else { return None };
         (LEAST..reference - FAR).contains(&temperature).then(|| {
             format!(
-                "loading.temperature = {} K is far below softening.reference = {} K and takes the strength there; if it is in \
+                "{key} = {} K is far below softening.reference = {} K and takes the strength there; if it is in \
                  degrees Celsius, write {}",
                 plain(temperature),
                 plain(reference),

@@ -56,6 +56,10 @@ impl Sweep<'_> {
         if let Some(count) = measured.map(|heights| heights * density).filter(|count| *count < FEW_CONTACTS) {
             warnings.push(Warning::FewContacts { at: at(), count });
         }
+        if let Some(size) = self.query.nominal_size {
+            let count = sliding.contact_density.value * size.powi(2);
+            warnings.extend((count < FEW_CONTACTS).then(|| Warning::SmallArea { at: at(), size, count }));
+        }
         if contacts.below_law_load > MOSTLY_BELOW {
             warnings.push(Warning::BelowTable { at: at(), share: contacts.below_law_load });
         }

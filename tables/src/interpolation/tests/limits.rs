@@ -322,3 +322,18 @@ fn a_rise_in_proportion_to_the_slip_rate_is_known_from_rest_on() {
         );
     }
 }
+
+/// Of tables with one positive slip rate n₀ of the first row holds, and of the others their own.
+#[test]
+fn a_rise_below_the_only_slip_rate_is_known() {
+    let table = table_of(Log.range(0.5, 100.0, 8), vec![0.0, 1e-4]);
+    let omega = table.axes().interference[4];
+    let scalar = table.estimate(Quantity::TemperatureMax, RADIUS, omega, 5e-5).unwrap();
+    let end =
+        table.axes().slip.last().unwrap() * (truth(omega, 0.0, 0.0).area.value / std::f64::consts::PI).sqrt();
+    let response = table.response(RADIUS, omega, 5e-5, end).unwrap().temperature_max;
+    let exact = truth(omega, 5e-5, end).temperature_max.value - BASE;
+    for found in [scalar, response] {
+        assert!((found.value - BASE - exact).abs() <= found.error + 1e-4 * exact, "{found:?} {exact}");
+    }
+}
