@@ -33,7 +33,7 @@ A scene (SI units, kelvin), or - for standard input. Optional sections and keys 
   [loading]
   interference = 20.0            # in units of the interference of first yield
   slip_rate = 1.0                # m/s; 0 is the isothermal limit
-  slip_distance = 2.0            # optional: in contact radii
+  slip_distance = 2.0            # optional: in contact radii, or \"steady\"
   control = \"interference\"       # optional: constant during the slide; or \"load\"
   temperature = 298.0            # optional: K
   [interface]                    # optional

@@ -19,8 +19,8 @@ pub struct Loading {
     pub interference: f64,
     /// V, m/s; 0 is the isothermal limit. Of a programme the largest magnitude.
     pub slip_rate: f64,
-    /// In contact radii a₀ at the end of the press. Of a programme the sum of its steps.
-    #[serde(default = "default_slip_distance")]
+    /// In contact radii a₀ at the end of the press; infinite for `"steady"`. Of a programme the sum of its steps.
+    #[serde(default = "default_slip_distance", with = "until_steady")]
     pub slip_distance: f64,
     #[serde(default)]
     pub control: Control,
@@ -57,9 +57,47 @@ impl Loading {
         }
     }
 
+    /// Whether the slide goes on until friction is steady.
+    pub fn is_until_steady(&self) -> bool {
+        self.slip_distance == f64::INFINITY
+    }
+
     /// Slip rate of the first step, m/s.
     pub fn first_slip_rate(&self) -> f64 {
         self.steps.first().map_or(self.slip_rate, |step| step.slip_rate())
+    }
+}
+
+/// A slip distance in files: a number or `"steady"`.
+mod until_steady {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    #[derive(Serialize, Deserialize)]
+    #[serde(untagged)]
+    enum Distance {
+        Radii(f64),
+        Until(Steady),
+    }
+
+    #[derive(Serialize, Deserialize)]
+    #[serde(rename_all = "lowercase")]
+    enum Steady {
+        Steady,
+    }
+
+    pub fn serialize<S: Serializer>(distance: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+        match *distance {
+            f64::INFINITY => Distance::Until(Steady::Steady),
+            radii => Distance::Radii(radii),
+        }
+        .serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+        Distance::deserialize(deserializer).map(|distance| match distance {
+            Distance::Radii(radii) => radii,
+            Distance::Until(Steady::Steady) => f64::INFINITY,
+        })
     }
 }
 

@@ -15,6 +15,7 @@ use crate::scene::fitted_constants::processor_time::{
 };
 use crate::scene::{FrictionLaw, Scene};
 use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::steady::LONGEST;
 
 /// Factor within which the expected time holds on the machine of the fit.
 pub const EXPECTED_TIME_FACTOR: f64 = 3.0;
@@ -55,7 +56,7 @@ pub(super) fn expected_time_but_for_hot_properties(scene: &Scene) -> f64 {
             SECONDS * (REFERENCE_ACCURACY / numerics.accuracy).powi(2) * finer * lighter * deeper
         }
     };
-    let longer = (scene.loading.slip_distance / REFERENCE_SLIP).max(1.0).powf(SLIP_POWER);
+    let longer = (scene.loading.slip_distance.min(LONGEST) / REFERENCE_SLIP).max(1.0).powf(SLIP_POWER);
     let steps = scene.loading.steps.len().max(1) as f64;
     ((seconds * sectors * longer).max(LEAST) * of_heat(scene) * steps).min(MOST)
 }

@@ -67,6 +67,24 @@ fn necking_stress(hardening: &Hardening, yield_strength: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::tests::of_preset;
+
+    /// σ_u of Callister & Rethwisch, Fundamentals of Materials Science and Engineering, 3rd ed. 2008, Table B.4, MPa: T6 temper;
+    /// electrolytic copper, hot-rolled; hot-finished and annealed, at least.
+    #[test]
+    fn presets_neck_at_the_tensile_strength_of_a_handbook() {
+        for (preset, handbook, by_hardening) in
+            [("aluminium-6061", 310e6, 340e6), ("copper", 220e6, 219e6), ("steel-304", 515e6, 578e6)]
+        {
+            let material = of_preset(preset, &[]).material;
+            let Hardening::JohnsonCook { modulus, exponent } = material.hardening else { panic!("{preset}") };
+            let stress = necking_stress(&material.hardening, material.yield_strength);
+            let strain = ((stress - material.yield_strength) / modulus).powf(1.0 / exponent);
+            let found = stress * (-strain).exp();
+            assert!((found / by_hardening - 1.0).abs() < 2e-3, "{preset}: {found:e}");
+            assert!((found / handbook - 1.0).abs() < 0.15, "{preset}: {found:e}");
+        }
+    }
 
     /// 4340 steel, σ = 792 + 510 ε^0.26 MPa: σ = dσ/dε at ε = 0.0619, 1039.4 MPa.
     #[test]

@@ -27,6 +27,7 @@ mod run;
 mod runs;
 mod steady;
 mod strain;
+mod until_steady;
 pub(crate) mod values;
 
 use std::time::Instant;
@@ -46,6 +47,7 @@ pub use pressed::{Pressed, PressedContact, press};
 pub(crate) use pressed::{largest_interference, press_error};
 use run::Run;
 use runs::Runner;
+pub(crate) use until_steady::until_steady;
 
 /// Times that a run is repeated more finely, at most.
 const REFINEMENTS: usize = 2;
@@ -144,6 +146,12 @@ pub fn simulate_recorded(
 ) -> Result<Outcome, SimulationError> {
     if scene.model.heat == Switch::On && scene.loading.slip_rate == 0.0 {
         return Err(SimulationError::Unsupported("model.heat = \"on\" at slip rate 0".into()));
+    }
+    if scene.loading.is_until_steady() {
+        let (of_length, note) = in_pool(|| until_steady(scene, watch))?;
+        let mut outcome = simulate_recorded(&of_length, recording, watch)?;
+        outcome.account.notes.push(note);
+        return Ok(outcome);
     }
     in_pool(|| {
         // The other presses are made by the runs that start from them.

@@ -57,7 +57,7 @@ pub struct Pressed {
     pub(super) wall_time: f64,
 }
 
-/// Press the asperity to the interference of the scene, without heat.
+/// Press the asperity to the interference of the scene, without heat. The scene states the length of the slides that follow.
 ///
 /// ```
 /// use asperity::scene::file::parse_scene;
@@ -80,6 +80,10 @@ pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationErro
 
 fn press_in_pool(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
     let clock = Instant::now();
+    if scene.loading.is_until_steady() {
+        let reason = "loading.slip_distance = \"steady\" of several slides from one press: give a number";
+        return Err(SimulationError::Unsupported(reason.into()));
+    }
     let mut pressed = press_coarsely(scene, watch)?;
     watch.progress("press", 0.2, "fine mesh");
     let others = [pressed.resolution, pressed.resolution.coarse().longer_steps()];

@@ -330,7 +330,7 @@ impl<'a> Runner<'a> {
             has_gone_far_enough(history, accuracy)
         });
         let outgrew = matches!(ended, Err(SlideFailure::OutgrewMesh { .. }));
-        SteadyState::of_longer_slide(&slide.history, end, (radius, outgrew))
+        SteadyState::of_longer_slide(&slide.history, end, (radius, outgrew), accuracy)
     }
 
     /// The steady state that the coarse mesh tells, with more room where its contact outgrew it before.

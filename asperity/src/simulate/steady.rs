@@ -82,26 +82,38 @@ pub struct SteadyState {
     pub ratio: Estimate,
     /// Slip to which the slide went on, over the contact radius after the press.
     pub slip: f64,
+    /// That from which on friction was within the accuracy of μ_∞; infinite where it was not by the end.
+    pub level: f64,
     /// Whether the contact outgrew its mesh there.
     outgrew_mesh: bool,
 }
 
 impl SteadyState {
     /// Of a slide that went on beyond the slip of its state `end`, with the contact `radius` after the press and whether it
-    /// outgrew its mesh; none where heat has not diffused through the contact. As on the coarse mesh of the auxiliary runs, a
+    /// outgrew its mesh, and the `accuracy` of friction; none where heat has not diffused through the contact. As on the coarse mesh of the auxiliary runs, a
     /// share of the change to the steady state is uncertain.
     pub fn of_longer_slide(
         history: &[SlideState],
         end: usize,
         (radius, outgrew_mesh): (f64, bool),
+        accuracy: f64,
     ) -> Option<Self> {
         let latest = last_slip(history);
         let end = latest[end + latest.len() - history.len()].slip;
-        let ratio =
-            fitted_friction(&latest)?.over(Line::through(&latest, (0.25 * end, 4.0 * end), end)?.at(NOW));
+        let steady = fitted_friction(&latest)?;
+        let is_off = |state: &&SlideState| (state.mu() / steady.value - 1.0).abs() > accuracy;
+        let last_off = latest.iter().rposition(|state| is_off(&state));
+        let level =
+            latest.get(last_off.map_or(0, |n| n + 1)).map_or(f64::INFINITY, |state| state.slip / radius);
+        let ratio = steady.over(Line::through(&latest, (0.25 * end, 4.0 * end), end)?.at(NOW));
         let error = ratio.error + OF_COARSE_MESH * (ratio.value - 1.0).abs();
         let slip = latest.last()?.slip / radius;
-        ratio.value.is_finite().then_some(Self { ratio: Estimate { error, ..ratio }, slip, outgrew_mesh })
+        ratio.value.is_finite().then_some(Self {
+            ratio: Estimate { error, ..ratio },
+            slip,
+            level,
+            outgrew_mesh,
+        })
     }
 
     /// Whether it is so uncertain that a slide with more room for its contact to grow is worth its time.

@@ -73,6 +73,14 @@ fn growth(t: f64, at_first: f64, at_rest: [f64; 2]) -> Growth {
     Growth { factor, bend: apart.abs() + (factor - 1.0).abs() }
 }
 
+/// cV/√(1 + bV), over its value at V₁, at V = tV₁: a temperature rise against the slip rate, in proportion to it at rest
+/// and to its root at large Péclet numbers (Tian & Kennedy 1994, J. Tribol. 116, 167). V₂ = `rates` V₁ with the value
+/// `values` times that at V₁; a ratio that no b has is taken as the nearest that one has.
+pub(super) fn from_zero(t: f64, rates: f64, values: f64) -> f64 {
+    let square = (values / rates).powi(2).clamp(1.0 / rates, 1.0);
+    t * (square * (rates - 1.0) / (square * rates - 1.0 + t * (1.0 - square))).sqrt()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

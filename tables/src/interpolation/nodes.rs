@@ -9,6 +9,7 @@
 use super::ROUNDING;
 pub(super) use super::histories::{COEFFICIENT, Errors, FIELDS, Field, Values};
 use super::histories::{given_errors, history, with_slopes};
+use super::low_rates::from_zero;
 use super::steffen::{Location, end_slope, hermite, inner_slope, locate};
 use crate::quantity::{COVERAGE_FACTOR, OF_BOUND, Quantity};
 use crate::table::{Slice, Status};
@@ -346,14 +347,6 @@ fn logarithms(outer: Outer, inner: [f64; 2]) -> Option<(Outer, [f64; 2])> {
         near.filter(|(_, value)| *value > 0.0).map(|(gap, value)| (gap, value.ln()))
     };
     inner.iter().all(|value| *value > 0.0).then(|| (outer.map(of_positive), inner.map(f64::ln)))
-}
-
-/// cV/√(1 + bV), over its value at V₁, at V = tV₁: a temperature rise against the slip rate, in proportion to it at rest
-/// and to its root at large Péclet numbers (Tian & Kennedy 1994, J. Tribol. 116, 167). V₂ = `rates` V₁ with the value
-/// `values` times that at V₁; a ratio that no b has is taken as the nearest that one has.
-fn from_zero(t: f64, rates: f64, values: f64) -> f64 {
-    let square = (values / rates).powi(2).clamp(1.0 / rates, 1.0);
-    t * (square * (rates - 1.0) / (square * rates - 1.0 + t * (1.0 - square))).sqrt()
 }
 
 /// The monotone cubic of the values as they are.

@@ -75,7 +75,8 @@ fn check_value(path: &str, value: &Value, kind: Kind, source: &Source) -> Result
                 None => same_length(path, table, "temperature", "value", source),
             };
         }
-        (Kind::Number(_, range) | Kind::Property(_, range), value) => {
+        (Kind::NumberOr(_, _, name), Value::String(given)) => given == name,
+        (Kind::Number(_, range) | Kind::NumberOr(_, range, _) | Kind::Property(_, range), value) => {
             as_number(value).is_some_and(|number| range.accepts(number))
         }
         (Kind::List(_, range, order), Value::Array(list)) => {

@@ -78,6 +78,8 @@ pub enum Order {
 pub enum Kind {
     /// Unit and range.
     Number(&'static str, Range),
+    /// Unit and range, or this name.
+    NumberOr(&'static str, Range, &'static str),
     /// A number, or its table over temperature.
     Property(&'static str, Range),
     /// A list of numbers, not empty.
@@ -110,7 +112,7 @@ const fn parameter(laws: &'static [&'static str], name: &'static str, kind: Kind
     Key { name, kind, laws }
 }
 
-use Kind::{Count, Flag, List, Name, Number, Property, Section, Sections};
+use Kind::{Count, Flag, List, Name, Number, NumberOr, Property, Section, Sections};
 
 /// All sections of a scene.
 pub const SCENE: &[Key] = &[
@@ -194,7 +196,7 @@ const COUNTERFACE: &[Key] = &[
 pub const LOADING: &[Key] = &[
     key("interference", Number("omega_0/omega_c", POSITIVE)),
     key("slip_rate", Number("m/s, 0 is the isothermal limit", SLIP_RATE)),
-    key("slip_distance", Number("contact radii", SLIP_DISTANCE)),
+    key("slip_distance", NumberOr("contact radii", SLIP_DISTANCE, "steady")),
     key("control", Name),
     key("temperature", Number("K", POSITIVE)),
     key("steps", Sections(STEP)),
@@ -240,6 +242,7 @@ impl Kind {
     pub fn allowed(&self) -> String {
         match self {
             Number(unit, range) => range.with_unit(unit),
+            NumberOr(unit, range, name) => format!("{}, or {name:?}", range.with_unit(unit)),
             Property(unit, range) => {
                 format!("{}, or {{ temperature = [… K], value = […] }}", range.with_unit(unit))
             }

@@ -112,9 +112,13 @@ pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Req
         }
     }
     let mut template = document.scene()?;
-    if template.loading.slip_distance <= 0.0 {
-        let allowed = "a positive number (contact radii): a table has histories over the slip";
-        let found = format!("{:?}", template.loading.slip_distance);
+    if template.loading.slip_distance <= 0.0 || template.loading.is_until_steady() {
+        let allowed = "a positive number (contact radii): a table has histories over the same slips for all cells, and mu_steady beside \
+                       them";
+        let found = match template.loading.is_until_steady() {
+            true => "\"steady\"".to_owned(),
+            false => format!("{:?}", template.loading.slip_distance),
+        };
         return Err(source.invalid("loading.slip_distance", found, allowed));
     }
     relations::check_heat(&template, &slip_rates, source)?;

@@ -282,8 +282,8 @@ fn numbers_out_of_range_are_refused() {
         refused(&[&format!("numerics.sectors={value}")], &["a multiple of 4"]);
     }
     for value in ["-1", "1e15"] {
-        let text = format!("loading.slip_distance={value}");
-        refused(&[&text], &["loading.slip_distance", value, "a number from 0 to 10000"]);
+        let allowed = "a number from 0 to 10000 (contact radii), or \"steady\"";
+        refused(&[&format!("loading.slip_distance={value}")], &["loading.slip_distance", value, allowed]);
     }
     refused(&["loading.slip_rate=-1"], &["loading.slip_rate", "-1", "zero or a positive"]);
     refused(&["loading.slip_rate=1e200"], &["= 1e200: must be zero or a positive number up to 1e6 (m/s"]);

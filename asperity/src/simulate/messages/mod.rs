@@ -25,6 +25,16 @@ pub enum Note {
     Resolution(Resolution),
     #[error("heat is {}", heat_in_words(.0, .1))]
     Heat(HeatChoice, HeatEffect),
+    /// Length of a slide until friction is steady, over the contact radius after the press.
+    #[error(
+        "the slide ends after {} contact radii: {}",
+        digits(*.slip, 2),
+        match *.is_steady {
+            true => format!("on a coarse mesh friction is within {} % of its steady value there", digits(100.0 * .accuracy, 2)),
+            false => "on a coarse mesh friction is not steady before, but the contact outgrows its mesh or the slide is the longest that is tried".into(),
+        }
+    )]
+    UntilSteady { slip: f64, accuracy: f64, is_steady: bool },
     /// Slip over the contact radius after the press.
     #[error("a slide on the coarse mesh went on to {} contact radii for mu_steady", digits(*.0, 2))]
     WentOn(f64),

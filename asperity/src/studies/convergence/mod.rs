@@ -17,7 +17,7 @@ pub use words::{in_words, table};
 use crate::scene::{Kinematics, Scene};
 use crate::simulate::accuracy::error_budget::CONTROLLED;
 use crate::simulate::outcome::MAIN;
-use crate::simulate::{SimulationError, Watch, press, simulate, slide_refined};
+use crate::simulate::{SimulationError, Watch, press, simulate, slide_refined, until_steady};
 
 /// Quantities whose convergence is shown.
 pub const SHOWN: [Quantity; 7] = MAIN;
@@ -83,6 +83,9 @@ impl Convergence {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn sweep(scene: &Scene, finest: usize, watch: &dyn Watch) -> Result<Self, SimulationError> {
+        if scene.loading.is_until_steady() {
+            return Self::sweep(&until_steady(scene, watch)?.0, finest, watch);
+        }
         let mut runs = Vec::new();
         let mut finite_strain = false;
         let chosen = timed(true, || {
