@@ -4,10 +4,9 @@ use roots::{SimpleConvergency, find_root_brent};
 
 use super::ROUNDING;
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, HeatRatio, extrapolated};
-use super::low_rates::Growth;
-use super::nodes::{self, Absent, Errors, Field, Nodes, Values, blend, rate_coordinate};
+use super::low_rates::{self, Growth};
+use super::nodes::{self, Absent, Errors, Field, Nodes, OF_STRAIGHT, Values, blend, rate_coordinate};
 use super::plastic_limit::AboveLastRow;
-use super::scalar::OF_STRAIGHT;
 use super::steffen::{self, Location, locate};
 use crate::law::{LARGEST_CONTACT, covers};
 use crate::quantity::{COVERAGE_FACTOR, OF_BOUND};
@@ -96,6 +95,23 @@ impl Interpolant {
             values[RISE] = first[RISE] * rate.t * growth.factor * values[FRICTION] / first[FRICTION];
         }
         Ok(values)
+    }
+
+    /// Of a temperature rise in row `i` below the first positive slip rate; none elsewhere, and where there is no friction or no
+    /// rise. `of` gives rise and friction force in a row at a slip rate, by their numbers.
+    pub(super) fn growth_of_rise(
+        &self,
+        i: usize,
+        rate: Location,
+        of: impl Fn(usize, usize) -> Option<[f64; 2]>,
+    ) -> Option<Growth> {
+        let is_below = rate.index == 0 && rate.t > 0.0 && rate.t < 1.0 && self.slip_rate[0] == 0.0;
+        let (first, _) = self.rows.filter(|_| is_below)?;
+        low_rates::growth_of_rise(rate.t, &self.slip_rate, [first, i], |i, j| {
+            let [rise, friction] = of(i, j)?;
+            let n = rise * self.log_contact_radius[i].exp() / (friction * self.slip_rate[j]);
+            (n > 0.0 && n.is_finite()).then_some(n)
+        })
     }
 
     /// [`growth_of_rise`](Self::growth_of_rise) of the highest temperature after a slip.

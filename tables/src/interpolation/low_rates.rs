@@ -12,9 +12,6 @@
 //! The geometric mean of both is taken. Their distance and the change of n count as the distance to a straight line does in
 //! interpolation, half of which is a bound of the error: where the slide ends before the contact is steady, n falls with √V.
 
-use super::interpolant::Interpolant;
-use super::steffen::Location;
-
 /// Largest n₀ of a deep contact over that of the first row.
 const OF_DEEP_CONTACT: f64 = 1.3;
 
@@ -26,33 +23,23 @@ pub(super) struct Growth {
     pub(super) bend: f64,
 }
 
-impl Interpolant {
-    /// Of the rise in row `i` at a slip rate below V₁; none on and above V₁, and where there is no friction or no rise. `of` gives
-    /// rise and friction force in a row at a slip rate, by their numbers.
-    pub(super) fn growth_of_rise(
-        &self,
-        i: usize,
-        rate: Location,
-        of: impl Fn(usize, usize) -> Option<[f64; 2]>,
-    ) -> Option<Growth> {
-        let is_below = rate.index == 0 && rate.t > 0.0 && rate.t < 1.0 && self.slip_rate[0] == 0.0;
-        let (first, _) = self.rows.filter(|_| is_below)?;
-        let specific = |i: usize, j: usize| {
-            let rate = self.slip_rate.get(j)?;
-            let [rise, friction] = of(i, j)?;
-            let n = rise * self.log_contact_radius[i].exp() / (friction * rate);
-            (n > 0.0 && n.is_finite()).then_some(n)
-        };
-        let of_row = |i: usize| {
-            let at_first = (self.slip_rate[1], specific(i, 1)?);
-            let Some(second) = specific(i, 2) else { return Some(at_first.1) };
-            at_rest(at_first, (self.slip_rate[2], second))
-        };
-        let of_first_row = of_row(first)?;
-        let largest = OF_DEEP_CONTACT * of_first_row;
-        let own = of_row(i).unwrap_or(largest).clamp(of_first_row, largest);
-        Some(growth(rate.t, specific(i, 1)?, [of_first_row, own]))
-    }
+/// Of the rise in row `i` at V = tV₁; none where there is no friction or no rise. `specific` gives n in a row at one of the
+/// `slip_rates`, of which the first is 0, and `first` is the first row.
+pub(super) fn growth_of_rise(
+    t: f64,
+    slip_rates: &[f64],
+    [first, i]: [usize; 2],
+    specific: impl Fn(usize, usize) -> Option<f64>,
+) -> Option<Growth> {
+    let of_row = |i: usize| {
+        let at_first = (slip_rates[1], specific(i, 1)?);
+        let second = slip_rates.get(2).and_then(|rate| Some((*rate, specific(i, 2)?)));
+        second.map_or(Some(at_first.1), |second| at_rest(at_first, second))
+    };
+    let of_first_row = of_row(first)?;
+    let largest = OF_DEEP_CONTACT * of_first_row;
+    let own = of_row(i).unwrap_or(largest).clamp(of_first_row, largest);
+    Some(growth(t, specific(i, 1)?, [of_first_row, own]))
 }
 
 /// n₀ from slip rates and n at two of them. None where n⁻² has no root.

@@ -21,6 +21,9 @@ pub(super) type Absent = (usize, usize);
 const REFINEMENT: f64 = 0.5;
 /// Distance of a parabola with zero slope at one end from the straight line, in the middle, over the difference of both ends.
 pub(super) const OF_PARABOLA: f64 = 0.25;
+/// Bound of the error of the cubic over its difference to linear interpolation, which is of second order, the cubic of
+/// third. Tables of twice the intervals need no more: see `omitted_points_lie_within_the_stated_errors`.
+pub(super) const OF_STRAIGHT: f64 = 0.5;
 /// Place of the slip rate among interference, slip rate and slip.
 const SLIP_RATE: usize = 1;
 

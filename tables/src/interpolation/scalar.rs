@@ -2,15 +2,11 @@
 
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, HeatRatio, extrapolated};
 use super::interpolant::Place;
-use super::nodes::{Absent, OF_PARABOLA, blend_with_bend, ends};
+use super::nodes::{Absent, OF_PARABOLA, OF_STRAIGHT, blend_with_bend, ends};
 use super::steffen::Location;
 use super::{Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
 use crate::quantity::{COVERAGE_FACTOR, ElasticLimit, OF_BOUND, Quantity};
-
-/// Bound of the error of the cubic over its difference to linear interpolation, which is of second order, the cubic of
-/// third. Tables of twice the intervals need no more: see `omitted_points_lie_within_the_stated_errors`.
-pub(super) const OF_STRAIGHT: f64 = 0.5;
 
 impl InterpolatedTable {
     /// One of the scalars, for a sphere of `radius` (m) pressed by `interference` (ω/ω_c) and
