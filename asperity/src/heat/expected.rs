@@ -63,11 +63,7 @@ impl HeatEffect {
         let scene = &scene.with_combined_modulus();
         let (material, interface) = (&scene.material, &scene.interface);
         let solid = Solid::new(material, scene.loading.temperature);
-        let strength = scene.interface_strength()
-            * match interface.law.film(scene.loading.temperature) {
-                Some(_) => 1.0,
-                None => solid.interface_rate_factor(slip_rate, contact_radius),
-            };
+        let strength = scene.interface_strength(solid.interface_rate_factor(slip_rate, contact_radius));
         let share = match scene.largest_heat_partition() {
             0.0 => interface.taylor_quinney,
             partition => partition,
@@ -178,6 +174,28 @@ mod tests {
         let number = 0.5 * SHEAR_RATIO * scene.material.yield_strength * 0.01 * 40e-6
             / (scene.material.thermal_conductivity * range);
         assert!((effect.rise / range / number - 1.0).abs() < 1e-12);
+    }
+
+    /// Q/A = 30 MPa + 0.1·3σ_Y in deep contacts, and of the metal where that limits it, with its growth with the strain rate.
+    #[test]
+    fn a_film_heats_by_its_own_strength() {
+        let rise = |sets: &[&str]| {
+            let scene = of_preset("steel-4340", &[&["loading.interference=1000"], sets].concat());
+            let heated = 0.5 * 0.01 * 40e-6 / scene.material.thermal_conductivity;
+            HeatEffect::expected(&scene, 0.01, 40e-6).rise / heated
+        };
+        let film = rise(&[
+            "interface.law=briscoe-tabor",
+            "interface.film_strength=30e6",
+            "interface.pressure_coefficient=0.1",
+        ]);
+        assert!((film / (30e6 + 0.3 * 792e6) - 1.0).abs() < 1e-12, "{film:e}");
+        let strong = ["interface.law=coulomb", "interface.friction=0.5"];
+        assert!((rise(&strong) / (792e6 * SHEAR_RATIO) - 1.0).abs() < 1e-12);
+        // 1 + C ln(V/a), V/a = 250 1/s over 1 1/s.
+        let rate =
+            rise(&[strong[0], strong[1], "material.rate={law=\"johnson-cook\"}"]) / (792e6 * SHEAR_RATIO);
+        assert!((rate / (1.0 + 0.014 * 250f64.ln()) - 1.0).abs() < 0.02, "{rate}");
     }
 
     /// Heat is left out for a reason, and far below the accuracy only.

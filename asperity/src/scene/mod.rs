@@ -18,6 +18,7 @@ mod remarks;
 mod table_ranges;
 
 use serde::{Deserialize, Serialize};
+use tables::closed_forms::hertz::yield_coefficient;
 
 pub use counterface::Counterface;
 pub use friction_law::FrictionLaw;
@@ -175,6 +176,18 @@ impl Scene {
         let film = |rise: f64| self.interface.law.film_softening().factor(self.loading.temperature + rise);
         let change = |before: f64, after: f64| if before > 0.0 { (1.0 - after / before).abs() } else { 0.0 };
         change(metal(from), metal(to)).max(change(film(from), film(to)))
+    }
+
+    /// Limit of the shear traction at the initial temperature, Pa: at the highest pressure, that of Hertz or the hardness of 3σ_Y
+    /// (Tabor 1951), where it depends on it; that of the metal where no film limits it, which grows with the strain rate by `rate_factor`.
+    pub(crate) fn interface_strength(&self, rate_factor: f64) -> f64 {
+        const HARDNESS: f64 = 3.0;
+        let Interface { ref law, strength_factor, .. } = self.interface;
+        let of_metal = strength_factor * rate_factor * self.material.elastic_plastic().shear_strength();
+        let Some((film, coefficient)) = law.film(self.loading.temperature) else { return of_metal };
+        let elastic = yield_coefficient(self.material.poisson_ratio) * self.loading.interference.sqrt();
+        let limit = film + coefficient * elastic.min(HARDNESS) * self.material.yield_strength;
+        if law.has_cap() { limit.min(of_metal) } else { limit }
     }
 
     /// The scene with body and flat at another initial temperature, K: yield strength and hardening

@@ -123,13 +123,19 @@ impl SimulationError {
     }
 
     /// The same with the results before it.
-    fn with_partial(self, outcome: Outcome) -> Self {
-        let partial = Some(Box::new(outcome));
-        match self {
-            Self::NotConverged { stage, at, reason, .. } => Self::NotConverged { stage, at, reason, partial },
-            Self::Cancelled { .. } => Self::Cancelled { partial },
-            Self::Unsupported(_) => self,
+    fn with_partial(mut self, outcome: Outcome) -> Self {
+        if let Self::NotConverged { partial, .. } | Self::Cancelled { partial } = &mut self {
+            *partial = Some(Box::new(outcome));
         }
+        self
+    }
+
+    /// The same with other results before it, if there are any.
+    fn map_partial(mut self, change: impl FnOnce(Outcome) -> Outcome) -> Self {
+        if let Self::NotConverged { partial, .. } | Self::Cancelled { partial } = &mut self {
+            *partial = partial.take().map(|outcome| Box::new(change(*outcome)));
+        }
+        self
     }
 }
 
@@ -148,10 +154,19 @@ pub fn simulate_recorded(
         return Err(SimulationError::Unsupported("model.heat = \"on\" at slip rate 0".into()));
     }
     if scene.loading.is_until_steady() {
+        let clock = Instant::now();
         let (of_length, note) = in_pool(|| until_steady(scene, watch))?;
-        let mut outcome = simulate_recorded(&of_length, recording, watch)?;
-        outcome.account.notes.push(note);
-        return Ok(outcome);
+        until_steady::check_fields(recording, &of_length)?;
+        let seconds = clock.elapsed().as_secs_f64();
+        let complete = |mut outcome: Outcome| {
+            outcome.account.notes.push(note);
+            outcome.account.wall_time += seconds;
+            outcome
+        };
+        return match simulate_recorded(&of_length, recording, watch) {
+            Ok(outcome) => Ok(complete(outcome)),
+            Err(error) => Err(error.map_partial(complete)),
+        };
     }
     in_pool(|| {
         // The other presses are made by the runs that start from them.

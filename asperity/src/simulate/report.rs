@@ -190,7 +190,8 @@ fn warning_of_errors(budget: &ErrorBudget, run: &Run, accuracy: f64) -> Vec<Warn
 
 /// Steady friction that counts as unknown.
 fn uncertain_steady_friction(budget: &ErrorBudget, run: &Run) -> Option<Warning> {
-    let error = budget.relative(Quantity::MuSteady, &run.values);
+    let error =
+        budget.part(ErrorSource::Steps, Quantity::MuSteady) / run.values.value(Quantity::MuSteady).abs();
     (error > UNKNOWN_STEADY_FRICTION).then_some(Warning::SteadyUncertain { error })
 }
 

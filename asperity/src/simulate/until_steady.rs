@@ -5,10 +5,17 @@ use tables::numbers::rounded;
 
 use super::messages::{Note, RunProgress};
 use super::pressed::press_coarsely;
+use super::run::Run;
 use super::runs::Runner;
+use super::steady::has_to_go_on;
 use super::{SimulationError, Watch};
+use crate::loading::recording::Recording;
+use crate::loading::state::SlideState;
 use crate::scene::loading::default_slip_distance;
 use crate::scene::{Loading, Scene};
+
+/// Share of the slide on the coarse mesh that a slide may have: that on another mesh may end a little before.
+const MOST_OF_COARSE_SLIDE: f64 = 0.9;
 
 /// The scene with the length of its slide in place of `"steady"`, and what is said of it.
 pub(crate) fn until_steady(scene: &Scene, watch: &dyn Watch) -> Result<(Scene, Note), SimulationError> {
@@ -19,32 +26,61 @@ pub(crate) fn until_steady(scene: &Scene, watch: &dyn Watch) -> Result<(Scene, N
     let first = default_slip_distance();
     let pressed = press_coarsely(&of_length(first), watch)?;
     let runner = Runner::new(&pressed, scene.loading.slip_rate, watch)?;
-    let [mut coarse, ..] = pressed.resolution.auxiliary();
-    let run = loop {
-        let progress = RunProgress { kind: "until steady: ", span: (0.0, 0.0), goes_on: true };
-        let run = runner.run(&coarse, progress, watch)?;
-        if run.is_cancelled() {
-            return Err(SimulationError::Cancelled { partial: None });
-        }
-        let lacks_room = run.outgrown().is_some() || run.steady.is_some_and(|steady| steady.lacks_room());
-        if !lacks_room || !runner.conditions.fits(&coarse.wider()) {
-            break run;
-        }
-        coarse = coarse.wider();
-    };
+    let run = coarse_run(&runner)?;
+    if watch.cancelled() {
+        return Err(SimulationError::Cancelled { partial: None });
+    }
     let accuracy = pressed.numerics.accuracy;
-    let (level, longest) = run.steady.map_or((first, first), |steady| (steady.level, steady.slip));
-    let slip = rounded(level.min(longest).max(first), 2);
-    Ok((of_length(slip), Note::UntilSteady { slip, accuracy, is_steady: level.is_finite() }))
+    let slides = run.failure.is_none() && run.history.last().is_some_and(SlideState::slides);
+    let (slip, is_steady) = match run.steady {
+        Some(steady) => {
+            let longest = MOST_OF_COARSE_SLIDE * steady.slip;
+            (steady.level.min(longest).max(first), steady.level <= longest)
+        }
+        None => (first, slides && !has_to_go_on(&run.history, accuracy)),
+    };
+    let slip = rounded(slip, 2);
+    Ok((of_length(slip), Note::UntilSteady { slip, accuracy, is_steady }))
+}
+
+/// The slide on the coarse mesh, or on a wider one as long as its contact outgrows it and there is room.
+fn coarse_run(runner: &Runner<'_>) -> Result<Run, SimulationError> {
+    let [mut resolution, ..] = runner.pressed.resolution.auxiliary();
+    let progress = RunProgress { kind: "until steady: ", span: (0.0, 0.0), goes_on: true };
+    let mut run = runner.run(&resolution, progress, runner.watch)?;
+    loop {
+        let lacks_room = run.outgrown().is_some() || run.steady.is_some_and(|steady| steady.lacks_room());
+        resolution = resolution.wider();
+        if run.is_cancelled() || !lacks_room || !runner.conditions.fits(&resolution) {
+            return Ok(run);
+        }
+        match runner.run(&resolution, progress, runner.watch) {
+            Ok(wider) => run = wider,
+            Err(error @ SimulationError::Cancelled { .. }) => return Err(error),
+            // The run before is the result.
+            Err(_) => return Ok(run),
+        }
+    }
+}
+
+/// Refuses fields beyond the end of the slide.
+pub(super) fn check_fields(recording: &Recording, of_length: &Scene) -> Result<(), SimulationError> {
+    let end = of_length.loading.slip_distance;
+    recording.slips.iter().find(|slip| **slip > end).map_or(Ok(()), |slip| {
+        let reason = format!(
+            "fields at a slip of {slip} contact radii: friction is steady, and the slide ends, at {end}"
+        );
+        Err(SimulationError::Unsupported(reason))
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use tables::quantity::Quantity;
+    use tables::quantity::{Quantity, State};
 
     use super::*;
     use crate::scene::tests::of_preset;
-    use crate::simulate::{Unwatched, simulate};
+    use crate::simulate::{Unwatched, press, simulate};
 
     fn steady_scene(slip_rate: &str, accuracy: &str) -> Scene {
         of_preset(
@@ -60,16 +96,55 @@ mod tests {
         )
     }
 
+    /// It is not yet so after the default length.
     #[test]
     fn friction_at_the_end_is_steady_within_the_accuracy() {
+        const ACCURACY: f64 = 0.05;
         let scene = steady_scene("loading.slip_rate=1", "numerics.accuracy=0.05");
         let outcome = simulate(&scene, &Unwatched).unwrap();
         let [end, steady] = [Quantity::Mu, Quantity::MuSteady].map(|quantity| outcome.scalars[quantity]);
-        let off = end.value / steady.value - 1.0;
-        assert!(off.abs() < 0.05 + steady.error / steady.value, "{end:?} {steady:?}");
+        let off = |mu: f64| mu / steady.value - 1.0;
+        assert!(off(end.value).abs() < ACCURACY + end.error / end.value, "{end:?} {steady:?}");
+        let radius = outcome.scalars[Quantity::ContactRadius].value;
+        let early = |state: &State<'_>| state[Quantity::Slip] <= default_slip_distance() * radius;
+        let first = outcome.slide.states().take_while(early).last().unwrap();
+        assert!(off(first[Quantity::Friction] / first[Quantity::Load]) > ACCURACY, "{steady:?}");
         let says =
             |note: &Note| matches!(note, Note::UntilSteady { slip, is_steady: true, .. } if *slip > 2.0);
         assert!(outcome.account.notes.iter().any(says), "{:?}", outcome.account.notes);
+        assert!(check_fields(&Recording { slips: vec![1.0, 3e3], body: false }, &scene).is_ok());
+    }
+
+    /// The interface is as strong as the body, which does not harden: the contact does not slide at its default length.
+    #[test]
+    fn a_contact_that_does_not_slide_is_not_steady() {
+        let mut scene = steady_scene("loading.slip_rate=0", "numerics.accuracy=0.1");
+        scene.interface.law = crate::scene::FrictionLaw::FullStick;
+        let (found, note) = until_steady(&scene, &Unwatched).unwrap();
+        assert!(matches!(note, Note::UntilSteady { is_steady: false, .. }), "{note}");
+        let recording = Recording { slips: vec![1.0, 3.0], body: false };
+        assert!(check_fields(&recording, &found).unwrap_err().to_string().contains("at a slip of 3 contact"));
+    }
+
+    #[test]
+    fn one_press_of_several_slides_needs_a_length() {
+        let scene = steady_scene("loading.slip_rate=0", "numerics.accuracy=0.1");
+        assert!(press(&scene, &Unwatched).err().unwrap().to_string().contains("give a number"));
+        // As it is written, it is read.
+        let written = crate::scene::file::write_scene(&scene);
+        assert!(written.contains("slip_distance = \"steady\""), "{written}");
+        assert_eq!(crate::scene::file::parse_scene(&written, "this test", &[]).unwrap(), scene);
+        let request = written.replace("[loading]", "[table]\n[loading]");
+        let request: String = request
+            .lines()
+            .filter(|l| !l.starts_with("interference") && !l.starts_with("slip_rate"))
+            .map(|l| format!("{l}\n"))
+            .collect();
+        let refused = crate::scene::file::parse_request(&request, "this test", &[]).unwrap_err().to_string();
+        assert!(
+            refused.contains("loading.slip_distance = \"steady\": must be a positive number"),
+            "{refused}"
+        );
     }
 
     #[test]

@@ -101,7 +101,8 @@ pub enum Warning {
     )]
     StrainRate { radius: f64, share: f64 },
     #[error(
-        "the strength of {table} is that at low strain rates; at those of the contacts the metal is stronger, and static friction {:.0} % larger (at 20 omega_c, 0.1 mm and 1 m/s): --table {with_rate_law}",
+        "the strength of {table} is that at low strain rates; with that of the interface at the strain rates of the contacts, in {with_rate_law}{}, static friction is {:.0} % larger (at 20 omega_c, 0.1 mm and 1 m/s)",
+        if table.ends_with("-rigid") { " (beside a counterface that conducts heat)" } else { "" },
         100.0 * .share
     )]
     StrengthAtLowRates { table: String, with_rate_law: String, share: f64 },

@@ -97,6 +97,17 @@ impl Interpolant {
         Ok(values)
     }
 
+    /// Relative error at a place inside the rows: that of the nodes, and that of a temperature rise at a low slip rate, unless those of
+    /// the points include it.
+    fn relative_error(&self, place: Location, rate: Location, slip: Location) -> Errors {
+        let mut error = self.nodes.relative_error(place, rate, slip);
+        let growth = self.growth_of_rise_after(place.nearest(), rate, slip);
+        if let Some(growth) = growth.filter(|_| !self.nodes.errors_include_interpolation()) {
+            error[RISE] = error[RISE].hypot(COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * growth.bend);
+        }
+        error
+    }
+
     /// Of a temperature rise in row `i` below the first positive slip rate; none elsewhere, and where there is no friction or no
     /// rise. `of` gives rise and friction force in a row at a slip rate, by their numbers.
     pub(super) fn growth_of_rise(
@@ -215,12 +226,9 @@ impl Interpolant {
                 (Location::on(last), above.error_factor(), above.state(before, &self.row(last, rate, slip)?))
             }
         };
-        let mut error = self.nodes.relative_error(at, rate, slip);
+        let mut error = self.relative_error(at, rate, slip);
         for (error, uncertainty) in error.iter_mut().zip(uncertainty) {
             *error = factor * *error + uncertainty;
-        }
-        if let Some(growth) = self.growth_of_rise_after(at.nearest(), rate, slip) {
-            error[RISE] = error[RISE].hypot(COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * growth.bend);
         }
         Ok((values, error))
     }
@@ -324,7 +332,11 @@ impl Interpolant {
             log_interference: self.log_interference.clone(),
             slip_rate: vec![0.0],
             rate_coordinate: vec![0.0],
-            nodes: (self.nodes).at_rate(rate, |i, slip| self.row(i, rate, slip).ok()),
+            nodes: self.nodes.at_rate(
+                rate,
+                |i, slip| self.row(i, rate, slip).ok(),
+                |i, slip| self.relative_error(Location::on(i), rate, slip),
+            ),
             rows: self.rows,
             log_contact_radius: self.log_contact_radius.clone(),
             log_contact_radius_slope: self.log_contact_radius_slope.clone(),

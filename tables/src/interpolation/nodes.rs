@@ -77,9 +77,15 @@ impl Nodes {
         if let [0.0, _, ..] = *slip_rates {
             for row in self.given.chunks_mut(self.rates * slips) {
                 let (at_rest, first) = row.split_at_mut(slips);
-                at_rest.iter_mut().zip(first).for_each(|(at_rest, first)| at_rest[RISE] = first[RISE]);
+                let known = at_rest.iter_mut().zip(first).filter(|(_, first)| first[RISE].is_finite());
+                known.for_each(|(at_rest, first)| at_rest[RISE] = first[RISE]);
             }
         }
+    }
+
+    /// Whether the errors of the points include those of interpolation along interference and slip rate.
+    pub(super) fn errors_include_interpolation(&self) -> bool {
+        self.misfit[SLIP_RATE].is_empty()
     }
 
     pub(super) fn is_present(&self, i: usize, j: usize) -> bool {
@@ -141,8 +147,13 @@ impl Nodes {
     }
 
     /// The nodes at one slip rate, as nodes with a single column: `row` is the state of a row
-    /// after some slip. The error of interpolating along the slip rate joins that of the results.
-    pub(super) fn at_rate(&self, rate: Location, row: impl Fn(usize, Location) -> Option<Values>) -> Self {
+    /// after some slip, `error` its error. The error of interpolating along the slip rate joins that of the results.
+    pub(super) fn at_rate(
+        &self,
+        rate: Location,
+        row: impl Fn(usize, Location) -> Option<Values>,
+        error: impl Fn(usize, Location) -> Errors,
+    ) -> Self {
         let rows = self.histories.len() / self.rates;
         let j = rate.nearest();
         let history = |i: usize| {
@@ -162,7 +173,7 @@ impl Nodes {
             histories: (0..rows).map(history).collect(),
             given: (0..rows)
                 .flat_map(|i| (0..slips).map(move |k| (i, k)))
-                .map(|(i, k)| self.relative_error(Location::on(i), rate, Location::on(k)))
+                .map(|(i, k)| error(i, Location::on(k)))
                 .collect(),
             misfit: [column(&self.misfit[0]), Vec::new(), column(&self.misfit[2])],
         }

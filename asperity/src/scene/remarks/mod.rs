@@ -5,7 +5,6 @@ mod temperatures;
 
 use std::collections::HashMap;
 
-use tables::closed_forms::hertz::yield_coefficient;
 use tables::numbers::{digits, plain, rounded};
 use tables::quantity::{plausible, values_by_path};
 use toml::{Table, Value};
@@ -171,19 +170,7 @@ impl Scene {
     /// Whether the interface is as strong as the body below it, which then shears.
     pub(crate) fn interface_as_strong(&self) -> bool {
         let has_friction = self.interface.law.has_friction();
-        has_friction && self.interface_strength() >= self.material.elastic_plastic().shear_strength()
-    }
-
-    /// Limit of the shear traction at the initial temperature, Pa: at the highest pressure, that of Hertz or the hardness of 3σ_Y
-    /// (Tabor 1951), where it depends on it. That of the metal where no law limits it.
-    pub(crate) fn interface_strength(&self) -> f64 {
-        const HARDNESS: f64 = 3.0;
-        let Interface { ref law, strength_factor, .. } = self.interface;
-        let of_metal = strength_factor * self.material.elastic_plastic().shear_strength();
-        let Some((film, coefficient)) = law.film(self.loading.temperature) else { return of_metal };
-        let elastic = yield_coefficient(self.material.poisson_ratio) * self.loading.interference.sqrt();
-        let limit = film + coefficient * elastic.min(HARDNESS) * self.material.yield_strength;
-        if law.has_cap() { limit.min(of_metal) } else { limit }
+        has_friction && self.interface_strength(1.0) >= self.material.elastic_plastic().shear_strength()
     }
 
     /// Bounds of the errors where shear localises in one layer of elements under the interface at the plastic strain of a contact

@@ -130,6 +130,10 @@ fn constants_of_a_preset_at_another_temperature_are_noticed() {
     );
     let cold = said(&["loading.temperature=200"]);
     assert!(cold.len() == 1 && cold[0].ends_with("if it is in degrees Celsius, write 473.15"), "{cold:?}");
+    let request =
+        "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n[table]\ntemperature = [200, 298]\n";
+    let cold = crate::scene::file::parse_request(request, "this test", &[]).unwrap().remarks();
+    assert!(cold.iter().any(|said| said.starts_with("table.temperature = 200 K is far below")), "{cold:?}");
     // What the remark says, done, is enough.
     let mut copper = of_preset("copper", &["loading.temperature=700"]).material;
     let factor = copper.softening.factor(700.0);

@@ -31,7 +31,7 @@ pub enum Note {
         digits(*.slip, 2),
         match *.is_steady {
             true => format!("on a coarse mesh friction is within {} % of its steady value there", digits(100.0 * .accuracy, 2)),
-            false => "on a coarse mesh friction is not steady before, but the contact outgrows its mesh or the slide is the longest that is tried".into(),
+            false => "on a coarse mesh friction is not steady before the contact outgrows its mesh, sticks, or does not converge, or before the longest slide that is tried".into(),
         }
     )]
     UntilSteady { slip: f64, accuracy: f64, is_steady: bool },

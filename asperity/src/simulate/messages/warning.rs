@@ -41,9 +41,9 @@ pub enum Warning {
         "sliding has not begun by the end of the slide: mu, mu_static, Q, Q_static, G and inception_slip are those of its end, in partial slip, and mu_steady has no meaning; a longer slip_distance lets it begin"
     )]
     NotSliding,
-    /// Relative error of steady friction.
+    /// Relative error of steady friction by the length of the slide.
     #[error(
-        "mu_steady is uncertain by {}: the contact is not steady by the end of the slide, nor of the longer one on a coarse mesh",
+        "mu_steady is uncertain by {}: friction still changes at the end of the slide, and of the one that goes on on a coarse mesh",
         if *.error < 1.0 { format!("{:.0} %", 100.0 * .error) } else { "more than its value".into() }
     )]
     SteadyUncertain { error: f64 },

@@ -138,7 +138,9 @@ pub enum Doubt {
     Extrapolated(f64),
     #[error("V* or V_w is below the second slip rate, {0} m/s: the onset of weakening is not resolved")]
     OnsetNotSeen(f64),
-    #[error("the slip rates do not reach the plateau: friction still falls at the fastest")]
+    #[error(
+        "the slip rates do not reach the plateau: at the fastest, friction still falls with ln V at more than half of its largest rate"
+    )]
     PlateauNotSeen,
     #[error("the velocity is not known to half of itself")]
     Uncertain,

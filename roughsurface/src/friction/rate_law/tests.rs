@@ -221,6 +221,16 @@ fn errors_cover_the_parameters_of_other_ranges_where_the_form_is_another() {
     }
 }
 
+/// V_w/V of the fall is left at V, and of the slope: a half at 2.9 V_w.
+#[test]
+fn a_plateau_of_flash_heating_that_is_not_seen_is_no_reliable_one() {
+    let doubt = |fastest: f64| {
+        let rates = Log.range(0.005, fastest, 9);
+        choose(&rates, &exact(&rates, flash_heating)).flash_heating.unwrap().doubt()
+    };
+    assert_eq!((doubt(0.2 * 2.5), doubt(0.2 * 3.5)), (Some(Doubt::PlateauNotSeen), None));
+}
+
 /// One slip rate below V_w does not show where weakening begins.
 #[test]
 fn an_onset_between_the_first_two_slip_rates_is_not_resolved() {

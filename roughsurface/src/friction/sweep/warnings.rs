@@ -32,7 +32,7 @@ const IN_CONTACT: f64 = 10.0;
 /// Length (m) of a nominal contact that is small, where the query states none.
 const SMALL_NOMINAL_CONTACT: f64 = 0.01;
 
-/// Number of measured heights in contact below which the result is that of a few summits and not of a surface.
+/// Number of contacts below which the result is that of a few summits and not of a surface.
 const FEW_CONTACTS: f64 = 10.0;
 
 impl Sweep<'_> {

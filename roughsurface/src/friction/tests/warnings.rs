@@ -64,6 +64,25 @@ fn contacts_that_hardly_slide_are_warned_of() {
     assert!(share.is_some_and(|share| share > 0.2) && mu < 0.95 * sliding, "{share:?} {mu} {sliding}");
 }
 
+/// Ten contacts on a nominal area.
+#[test]
+fn a_small_nominal_area_with_few_contacts_is_warned_of() {
+    let law = PowerLaw::hertz();
+    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let found = |side: f64| {
+        let query = Query { nominal_size: Some(side), ..query(NormalLoading::Pressure(vec![1e6])) };
+        let found = of_query(&law, &surface, &query).unwrap();
+        let count = matching!(found.warnings, Warning::SmallArea { count, .. } => *count).next();
+        (found.friction[0][0].sliding.contact_density.value * side * side, count)
+    };
+    let (of_a_metre, none) = found(1.0);
+    let side = (10.0 / of_a_metre).sqrt();
+    assert_eq!(none, None);
+    assert_eq!(found(1.01 * side).1, None);
+    let (count, said) = found(0.99 * side);
+    assert!((said.unwrap() / count - 1.0).abs() < 1e-12, "{said:?} {count}");
+}
+
 /// The mean rise over the length that is named is a fifth of that of the contacts.
 #[test]
 fn a_nominal_contact_that_warms_like_its_contacts_is_warned_of() {

@@ -323,7 +323,7 @@ fn a_rise_in_proportion_to_the_slip_rate_is_known_from_rest_on() {
     }
 }
 
-/// Of tables with one positive slip rate n₀ of the first row holds, and of the others their own.
+/// With one positive slip rate n₀ is the largest n at this rate, of the first row and of the own one.
 #[test]
 fn a_rise_below_the_only_slip_rate_is_known() {
     let table = table_of(Log.range(0.5, 100.0, 8), vec![0.0, 1e-4]);
