@@ -95,14 +95,18 @@ pub(super) fn with_slopes(slip: &[f64], states: Vec<Values>) -> Vec<[Values; 2]>
 }
 
 /// Relative error of the results of a cell at each slip: from those of static friction, and of load and area after
-/// the press, up to inception, along straight lines to those at the end.
+/// the press, up to inception, along straight lines to those at the end. At rest the rise is exactly 0; its relative error just
+/// above rest is that of the next slip rate.
 pub(super) fn given_errors(table: &Slice, i: usize, j: usize, base: f64) -> Vec<Errors> {
     let slips = &table.axes().slip;
     let Some(cell) = table.cell(i, j) else {
         return vec![[f64::NAN; FIELDS + 1]; slips.len()];
     };
+    let heated =
+        if table.axes().slip_rate[j] == 0.0 { table.cell(i, (j + 1).min(table.shape().1 - 1)) } else { None };
     let relative = |quantity: Quantity| {
-        let Estimate { value, error } = cell[quantity];
+        let of = heated.filter(|_| quantity == Quantity::TemperatureMax).unwrap_or(cell);
+        let Estimate { value, error } = of[quantity];
         let value = quantity.above_origin(value, base);
         // The temperature of an unheated contact is exact.
         if error == 0.0 || value == 0.0 { 0.0 } else { (error / value).abs() }

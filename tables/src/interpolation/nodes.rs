@@ -51,7 +51,6 @@ impl Nodes {
             misfit: Default::default(),
             slip,
         };
-        nodes.keep_error_of_rise(&table.axes().slip_rate);
         let slips = nodes.slip.clone();
         let along_slip = nodes.misfits(slips.len(), 2, |own| without(&slips, own));
         if table.metadata().interpolation_tolerance.is_some() {
@@ -68,19 +67,6 @@ impl Nodes {
         });
         nodes.misfit = [along_interference, along_rate, along_slip];
         nodes
-    }
-
-    /// At rest the rise is exactly 0. Its relative error just above rest is that of the first positive slip rate.
-    fn keep_error_of_rise(&mut self, slip_rates: &[f64]) {
-        const RISE: usize = Field::TemperatureRise as usize;
-        let slips = self.slip.len();
-        if let [0.0, _, ..] = *slip_rates {
-            for row in self.given.chunks_mut(self.rates * slips) {
-                let (at_rest, first) = row.split_at_mut(slips);
-                let known = at_rest.iter_mut().zip(first).filter(|(_, first)| first[RISE].is_finite());
-                known.for_each(|(at_rest, first)| at_rest[RISE] = first[RISE]);
-            }
-        }
     }
 
     /// Whether the errors of the points include those of interpolation along interference and slip rate.
