@@ -102,8 +102,10 @@ pub(super) fn given_errors(table: &Slice, i: usize, j: usize, base: f64) -> Vec<
     let Some(cell) = table.cell(i, j) else {
         return vec![[f64::NAN; FIELDS + 1]; slips.len()];
     };
-    let heated =
-        if table.axes().slip_rate[j] == 0.0 { table.cell(i, (j + 1).min(table.shape().1 - 1)) } else { None };
+    let next = (j + 1).min(table.shape().1 - 1);
+    let heated = table
+        .cell(i, next)
+        .filter(|next| table.axes().slip_rate[j] == 0.0 && next[Quantity::TemperatureMax].error.is_finite());
     let relative = |quantity: Quantity| {
         let of = heated.filter(|_| quantity == Quantity::TemperatureMax).unwrap_or(cell);
         let Estimate { value, error } = of[quantity];
