@@ -31,7 +31,8 @@ A scene (SI units, kelvin), or - for standard input. Optional sections and keys 
   [asperity]
   radius = 1e-3                  # m
   [loading]
-  interference = 20.0            # in units of the interference of first yield
+  interference = 20.0            # in units of the interference of first yield; or load = 10.0 (N),
+                                 # which is then held during the slide
   slip_rate = 1.0                # m/s; 0 is the isothermal limit
   slip_distance = 2.0            # optional: in contact radii, or \"steady\"
   control = \"interference\"       # optional: constant during the slide; or \"load\"

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, OnceLock};
 use std::time::{Duration, Instant};
 
 use asperity::simulate::Watch;
-use asperity::simulate::expected_time::EXPECTED_TIME_FACTOR;
+use asperity::simulate::expected_time::{EXPECTED_TIME_FACTOR, SHORT};
 use asperity::tabulate::{CellProgress, CellResult, Index, TableWatch};
 use indicatif::{ProgressBar, ProgressStyle};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
@@ -147,9 +147,13 @@ impl Shown {
 
 /// Tells the processor time to expect, s, before the work begins.
 pub fn tell_expected_time(seconds: f64) {
+    let finer = match EXPECTED_TIME_FACTOR * seconds < SHORT {
+        true => format!(", up to some {SHORT} s if its error asks for a finer mesh"),
+        false => String::new(),
+    };
+    let about = duration(seconds.max(1.0));
     say(format!(
-        "note: about {} of processor time expected (within a factor of {EXPECTED_TIME_FACTOR})",
-        duration(seconds.max(1.0))
+        "note: about {about} of processor time expected (within a factor of {EXPECTED_TIME_FACTOR}{finer})"
     ));
 }
 

@@ -60,7 +60,7 @@ fn run_scene(scene: &Scene, arguments: &RunArguments, display: &Display) -> Resu
                 SimulationError::NotConverged { partial: Some(outcome), .. }
                 | SimulationError::Cancelled { partial: Some(outcome) } => (*outcome, Some(reason)),
                 _ => {
-                    let no_file = "the slide had not begun; no file is written";
+                    let no_file = "there are no results yet, and no file is written";
                     return Err(Failure::Run(format!("{reason}; {no_file}")));
                 }
             }
@@ -162,7 +162,7 @@ fn summary(scene: &Scene, outcome: &Outcome, incomplete: Option<&str>) -> String
         };
         line("completion", format!("incomplete: {reason}; {values}"));
     }
-    let interference = scene.loading.interference;
+    let interference = outcome.interference;
     let length = numbers::digits(interference * outcome.critical_interference, 4);
     line("interference", format!("{} omega_c, {length} m", numbers::plain(interference)));
     match &scene.loading.steps[..] {
@@ -245,7 +245,7 @@ fn as_json(
     json!({
         "output": arguments.output.display().to_string(),
         "completion": incomplete.unwrap_or("complete"),
-        "interference": scene.loading.interference,
+        "interference": outcome.interference,
         "slip_rate": scene.loading.slip_rate,
         "steps": scene.loading.steps,
         "radius": scene.radius,

@@ -135,7 +135,7 @@ pub fn run_figure(scene: &Scene, outcome: &Outcome) -> Figure {
         false => format!("through {} steps of slip rate", loading.steps.len()),
     };
     Figure {
-        title: format!("{} ω_{{c}} {rates}, R = {} m", plain(loading.interference), plain(scene.radius)),
+        title: format!("{} ω_{{c}} {rates}, R = {} m", plain(outcome.interference), plain(scene.radius)),
         // Those of a row of maps.
         columns: if outcome.account.heat { 5 } else { 4 },
         panels,

@@ -5,6 +5,7 @@
 use std::path::Path;
 
 use tables::netcdf::{DatasetError, DatasetWriter, described};
+use tables::numbers::plain;
 use tables::quantity::{Estimate, History, Quantity, Stored};
 
 use crate::output::provenance::SOURCE;
@@ -50,7 +51,7 @@ pub fn write(path: &Path, scene: &Scene, outcome: &Outcome, about: &About<'_>) -
         true => format!("and {} m/s", loading.slip_rate),
         false => format!("through {} steps of slip rate", loading.steps.len()),
     };
-    let title = format!("Sliding of one asperity at {} omega_c {rates}", loading.interference);
+    let title = format!("Sliding of one asperity at {} omega_c {rates}", plain(outcome.interference));
     let completion = match about.incomplete {
         None => COMPLETE.to_owned(),
         Some(reason) => format!("incomplete: {reason}"),

@@ -15,8 +15,11 @@ pub enum Control {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Loading {
-    /// ω₀/ω_c.
+    /// ω₀/ω_c; where `load` is given, that of a closed form, which the simulation begins its search with.
     pub interference: f64,
+    /// P at the end of the press, N, in place of an interference.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load: Option<f64>,
     /// V, m/s; 0 is the isothermal limit. Of a programme the largest magnitude.
     pub slip_rate: f64,
     /// In contact radii a₀ at the end of the press; infinite for `"steady"`. Of a programme the sum of its steps.
@@ -54,6 +57,14 @@ impl Loading {
         match self.steps.is_empty() {
             true => vec![LoadingStep::Slip { slip_rate, slip_distance: self.slip_distance }],
             false => self.steps.clone(),
+        }
+    }
+
+    /// What is given so that a simulation has to find a number first, as one of several slides from one press cannot.
+    pub fn to_be_found(&self) -> Option<&'static str> {
+        match self.load {
+            Some(_) => Some("loading.load"),
+            None => self.is_until_steady().then_some("loading.slip_distance = \"steady\""),
         }
     }
 

@@ -18,7 +18,7 @@ use crate::simulate::run::Run;
 const NEGLIGIBLE_AT_INCEPTION: f64 = 0.01;
 
 pub(super) struct Conditions<'a> {
-    pressed: &'a Pressed,
+    pub pressed: &'a Pressed,
     pub heat: HeatChoice,
     /// Expected effect of heat, whether it is simulated or not.
     pub effect: HeatEffect,

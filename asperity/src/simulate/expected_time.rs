@@ -19,6 +19,8 @@ use crate::simulate::steady::LONGEST;
 
 /// Factor within which the expected time holds on the machine of the fit.
 pub const EXPECTED_TIME_FACTOR: f64 = 3.0;
+/// Processor time up to which a run is refined whatever time was expected, s.
+pub const SHORT: f64 = 20.0;
 
 /// Processor time of press, slide and auxiliary runs, s.
 pub fn expected_time(scene: &Scene) -> f64 {

@@ -79,6 +79,7 @@ pub fn outcome(scene: &Scene) -> Outcome {
         });
     }
     Outcome {
+        interference: scene.loading.interference,
         critical_interference: 1e-7,
         press,
         slide,

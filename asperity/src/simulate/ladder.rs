@@ -6,7 +6,7 @@ use super::run::Run;
 use crate::scene::Numerics;
 use crate::simulate::accuracy::error_budget::ErrorBudget;
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::expected_time::{EXPECTED_TIME_FACTOR, time_ratio};
+use crate::simulate::expected_time::{EXPECTED_TIME_FACTOR, SHORT, time_ratio};
 use crate::simulate::steady::SteadyState;
 
 /// Share of the error that a refinement leaves at which it has gained nothing; with twice the elements it leaves half or
@@ -14,8 +14,6 @@ use crate::simulate::steady::SteadyState;
 const STAGNATION: f64 = 0.8;
 /// Refinement of the mesh from which on its gain shows: half of the gain of 10 to 12 elements is the scatter of the estimate.
 const MEANINGFUL: f64 = 1.5;
-/// Processor time up to which a run is refined whatever time was expected, s.
-const SHORT: f64 = 20.0;
 
 /// The main run and the auxiliary runs of the resolution `start`.
 pub(super) struct Ladder {

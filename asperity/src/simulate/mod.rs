@@ -21,10 +21,12 @@ pub mod fracture;
 mod ladder;
 pub mod messages;
 pub mod outcome;
+mod prescribed_load;
 mod pressed;
 mod report;
 mod run;
 mod runs;
+mod single;
 mod steady;
 mod strain;
 mod until_steady;
@@ -42,12 +44,12 @@ use crate::scene::{Scene, Switch};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::expected_time::expected_time_but_for_hot_properties;
 use crate::simulate::outcome::Outcome;
-use messages::RunProgress;
+use messages::{Note, RunProgress};
 pub use pressed::{Pressed, PressedContact, press};
 pub(crate) use pressed::{largest_interference, press_error};
 use run::Run;
 use runs::Runner;
-pub(crate) use until_steady::until_steady;
+use until_steady::until_steady;
 
 /// Times that a run is repeated more finely, at most.
 const REFINEMENTS: usize = 2;
@@ -153,17 +155,16 @@ pub fn simulate_recorded(
     if scene.model.heat == Switch::On && scene.loading.slip_rate == 0.0 {
         return Err(SimulationError::Unsupported("model.heat = \"on\" at slip rate 0".into()));
     }
-    if scene.loading.is_until_steady() {
-        let clock = Instant::now();
-        let (of_length, note) = in_pool(|| until_steady(scene, watch))?;
-        until_steady::check_fields(recording, &of_length)?;
+    let clock = Instant::now();
+    if let Some((found, note)) = in_pool(|| find_what_is_open(scene, watch))? {
+        until_steady::check_fields(recording, &found)?;
         let seconds = clock.elapsed().as_secs_f64();
         let complete = |mut outcome: Outcome| {
             outcome.account.notes.push(note);
             outcome.account.wall_time += seconds;
             outcome
         };
-        return match simulate_recorded(&of_length, recording, watch) {
+        return match simulate_recorded(&found, recording, watch) {
             Ok(outcome) => Ok(complete(outcome)),
             Err(error) => Err(error.map_partial(complete)),
         };
@@ -177,6 +178,18 @@ pub fn simulate_recorded(
         let pressed = Pressed { wall_time, ..pressed }.recording(recording.clone());
         slide_in_pool(&pressed, scene.loading.slip_rate, REFINEMENTS, watch)
     })
+}
+
+/// The scene with a number that its loading leaves open, and what is said of it; none where all is given.
+pub(crate) fn find_what_is_open(
+    scene: &Scene,
+    watch: &dyn Watch,
+) -> Result<Option<(Scene, Note)>, SimulationError> {
+    match scene.loading.load {
+        Some(load) => prescribed_load::with_interference(scene, load, watch).map(Some),
+        None if scene.loading.is_until_steady() => until_steady(scene, watch).map(Some),
+        None => Ok(None),
+    }
 }
 
 /// Slide the pressed asperity at `slip_rate` (m/s).
@@ -290,7 +303,7 @@ fn run_alone(
     in_pool(|| {
         let pressed = pressed::press_coarsely(scene, watch)?;
         let progress = RunProgress { kind: "", span: (0.0, 1.0), goes_on: false };
-        let mut run = Runner::new(&pressed, slip_rate, watch)?.run(resolution, progress, watch)?;
+        let mut run = Runner::new(&pressed, slip_rate, watch)?.run_with_room(resolution, progress)?;
         match run.failure.take() {
             None => Ok(run),
             Some(failure) => Err(slide_error(failure, run.history.last(), &pressed)),

@@ -81,6 +81,8 @@ impl Account {
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
+    /// ω₀/ω_c.
+    pub interference: f64,
     /// ω_c, m.
     pub critical_interference: f64,
     /// Values with their errors.

@@ -80,9 +80,10 @@ pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationErro
 
 fn press_in_pool(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
     let clock = Instant::now();
-    if scene.loading.is_until_steady() {
-        let reason = "loading.slip_distance = \"steady\" of several slides from one press: give a number";
-        return Err(SimulationError::Unsupported(reason.into()));
+    if let Some(given) = scene.loading.to_be_found() {
+        let other = if scene.loading.load.is_some() { "the interference" } else { "a number" };
+        let reason = format!("{given} of several slides from one press: give {other}");
+        return Err(SimulationError::Unsupported(reason));
     }
     let mut pressed = press_coarsely(scene, watch)?;
     watch.progress("press", 0.2, "fine mesh");

@@ -263,6 +263,7 @@ fn outcome(
 ) -> Outcome {
     let units = problem.units;
     Outcome {
+        interference: scene.loading.interference,
         critical_interference: problem.critical_interference * units.length,
         scalars: scalars(run, (scene.loading.interference, &scene.interface.law), &budget),
         inception: run.values.inception,

@@ -95,4 +95,9 @@ impl Run {
             _ => None,
         }
     }
+
+    /// Whether its contact, or that of a slide that went on, has outgrown its mesh.
+    pub fn lacks_room(&self) -> bool {
+        self.outgrown().is_some() || self.steady.is_some_and(|steady| steady.lacks_room())
+    }
 }

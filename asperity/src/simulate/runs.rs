@@ -1,7 +1,6 @@
 //! The runs of one slip rate: the main run beside its auxiliary runs, with the presses that they need.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::Instant;
 
 use rayon::prelude::*;
 
@@ -9,22 +8,15 @@ use super::conditions::Conditions;
 use super::early::EarlyMain;
 use super::ladder::Ladder;
 use super::messages::{Note, RunProgress};
-use super::pressed::{Pressed, PressedMesh, add_presses, press_error};
+use super::pressed::{Pressed, PressedMesh, add_presses};
 use super::run::Run;
 use super::{SimulationError, Watch};
-use crate::discretisation::collocation::Collocation;
 use crate::discretisation::threads::is_alone;
-use crate::heat::conduction::Conduction;
-use crate::loading::body_fields::BodyFields;
-use crate::loading::problem::Discretisation;
-use crate::loading::recording::Recorder;
-use crate::loading::slide::increments::inception_width;
-use crate::loading::slide::{Motion, MotionInProgress, Slide, SlideFailure};
+use crate::loading::slide::SlideFailure;
 use crate::simulate::accuracy::error_budget::{ErrorBudget, RunValues, estimate};
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::steady::{LONGEST, SteadyState, has_gone_far_enough, has_to_go_on};
+use crate::simulate::steady::SteadyState;
 use crate::simulate::values::Values;
-use crate::solver::timings::{Kernel, Timings};
 
 /// Shares of the progress of a slide at the end of the auxiliary runs and of the main run; then it may be
 /// repeated more finely.
@@ -205,7 +197,8 @@ impl<'a> Runner<'a> {
         let presses = self.presses_of(plan, watch)?;
         let progress_of = |i: usize| (i == 0).then_some(progress);
         let runs = plan.par_iter().zip(presses).enumerate();
-        runs.map(|(i, (resolution, press))| self.slide(resolution, press, progress_of(i), watch)).collect()
+        runs.map(|(i, (resolution, press))| self.conditions.slide(resolution, press, progress_of(i), watch))
+            .collect()
     }
 
     /// A finer main run, and one on its coarse mesh.
@@ -227,6 +220,27 @@ impl<'a> Runner<'a> {
         Ok(runs.pop().expect("one run was planned"))
     }
 
+    /// One run; on wider meshes as long as its contact outgrows them and there is room.
+    pub fn run_with_room(
+        &self,
+        resolution: &Resolution,
+        progress: RunProgress,
+    ) -> Result<Run, SimulationError> {
+        let mut run = self.run(resolution, progress, self.watch)?;
+        loop {
+            let wider = run.resolution.wider();
+            if run.is_cancelled() || !run.lacks_room() || !self.conditions.fits(&wider) {
+                return Ok(run);
+            }
+            match self.run(&wider, progress, self.watch) {
+                Ok(wider) => run = wider,
+                Err(error @ SimulationError::Cancelled { .. }) => return Err(error),
+                // The run before is the result.
+                Err(_) => return Ok(run),
+            }
+        }
+    }
+
     /// The presses that slides at the resolutions of a plan start from.
     fn presses_of(
         &self,
@@ -241,96 +255,6 @@ impl<'a> Runner<'a> {
         self.presses().extend_from_slice(&presses[known..]);
         let of = |resolution: &Resolution| presses.iter().find(|press| press.serves(resolution)).cloned();
         Ok(plan.iter().map(|resolution| of(resolution).expect("pressed before")).collect())
-    }
-
-    /// A slide from its press.
-    fn slide(
-        &self,
-        resolution: &Resolution,
-        press: Arc<PressedMesh>,
-        progress: Option<RunProgress>,
-        watch: &dyn Watch,
-    ) -> Result<Run, SimulationError> {
-        let Pressed { problem, recording, .. } = self.pressed;
-        let clock = Instant::now();
-        let discretisation =
-            Discretisation::new(problem, press.size, Collocation::full(resolution.sectors), &|| {
-                watch.cancelled()
-            })
-            .map_err(|e| press_error(e.into()))?;
-        let mut slide = self.start(&press, &discretisation, resolution)?;
-        slide.mechanics.timings.since(Kernel::Setup, clock);
-        if let Some(partition) = self.conditions.expected_partition() {
-            slide.history[0].heat_partition = partition;
-        }
-        // Each mesh slides as far in units of its own contact radius.
-        let radius = press.contact.radius(&press.contact.committed);
-        slide.recorder = Recorder::new(recording, radius, &slide.history[0]);
-        slide.record_fields();
-        let programme = self.conditions.programme.iter();
-        let motions: Vec<Motion> = programme.map(|step| Motion::new(step, radius, &problem.units)).collect();
-        let end = slide.run(&motions, &|| watch.cancelled(), |done, history| {
-            if let Some(progress) = progress {
-                let detail = progress.describe(&problem.units, history);
-                watch.progress("slide", progress.at(done), &detail);
-            }
-        });
-        slide.record_fields();
-        let mesh = &discretisation.mesh;
-        let values = Values::new(problem, &press.increments, &slide.history);
-        let effort = slide.mechanics.effort;
-        let residual = press.effort.residual + effort.residual;
-        let mut run = Run {
-            resolution: *resolution,
-            values: values.with_expected_rise(self.conditions.expected_rise()).with_residual(residual),
-            steady: None,
-            effort,
-            timings: Timings::default(),
-            history: slide.history.clone(),
-            snapshots: std::mem::take(&mut slide.recorder.contact),
-            body: BodyFields::new(mesh, std::mem::take(&mut slide.recorder.bodies), &problem.units),
-            unknowns: mesh.field_length(3),
-            cutbacks: slide.cutbacks,
-            contact: slide.mechanics.contact.clone(),
-            counterface: slide.heat.as_ref().and_then(|heat| heat.counterface.clone()),
-            failure: None,
-            press,
-        };
-        match end {
-            Ok(Some(motion)) if progress.is_some_and(|progress| progress.goes_on) => {
-                run.steady = self.go_on(&mut slide, motion, radius, watch);
-            }
-            end => run.failure = end.err(),
-        }
-        run.timings = slide.mechanics.timings;
-        run.timings.add(Kernel::Rest, clock.elapsed().as_secs_f64() - run.timings.total());
-        run.timings.add(Kernel::Press, run.press.seconds);
-        Ok(run)
-    }
-
-    /// Goes on with the last motion, if it slides and its steady friction is not known, until it is; `radius` is that of the
-    /// contact after the press. An increment that fails for good ends it.
-    fn go_on(
-        &self,
-        slide: &mut Slide<'_>,
-        motion: MotionInProgress,
-        radius: f64,
-        watch: &dyn Watch,
-    ) -> Option<SteadyState> {
-        let accuracy = self.pressed.numerics.accuracy;
-        let end = slide.history.len() - 1;
-        if !self.pressed.problem.law.has_friction() || !slide.is_sliding() {
-            return None;
-        }
-        if !has_to_go_on(&slide.history, accuracy) {
-            return None;
-        }
-        slide.recorder = Recorder::default();
-        let ended = slide.go_on(motion, LONGEST * radius, &|| watch.cancelled(), |history| {
-            has_gone_far_enough(history, accuracy)
-        });
-        let outgrew = matches!(ended, Err(SlideFailure::OutgrewMesh { .. }));
-        SteadyState::of_longer_slide(&slide.history, end, (radius, outgrew), accuracy)
     }
 
     /// The steady state that the coarse mesh tells, with more room where its contact outgrew it before.
@@ -353,32 +277,5 @@ impl<'a> Runner<'a> {
             Err(_) => None,
         };
         Ok(found.filter(|found| found.ratio.error < steady.ratio.error).or(Some(steady)))
-    }
-
-    /// The pressed state revolved to all angles.
-    fn start(
-        &self,
-        press: &PressedMesh,
-        discretisation: &Discretisation,
-        resolution: &Resolution,
-    ) -> Result<Slide<'a>, SimulationError> {
-        let Pressed { problem, .. } = self.pressed;
-        let mesh = &discretisation.mesh;
-        let pressed = (&press.body, &press.contact, &press.displacement[..]);
-        let mechanics = discretisation.revolve(problem, pressed, resolution.tolerance);
-        let heat = match self.conditions.heat.is_coupled() {
-            false => None,
-            true => {
-                let conduction =
-                    Conduction::new(mesh, problem.heat_capacity, self.conditions.thermal_sublayers)
-                        .map_err(|e| press_error(e.into()))?;
-                let conduction = conduction.with_properties(problem.thermal_properties.clone());
-                Some(conduction.with_counterface(problem.counterface.clone()))
-            }
-        };
-        let mut slide = Slide::new(problem, mechanics, heat, resolution.growth);
-        slide.inception_width = inception_width(self.conditions.softening_at_inception());
-        slide.shears_without_limit = self.pressed.shears_without_limit;
-        Ok(slide)
     }
 }

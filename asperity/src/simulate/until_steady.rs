@@ -5,7 +5,6 @@ use tables::numbers::rounded;
 
 use super::messages::{Note, RunProgress};
 use super::pressed::press_coarsely;
-use super::run::Run;
 use super::runs::Runner;
 use super::steady::has_to_go_on;
 use super::{SimulationError, Watch};
@@ -26,7 +25,9 @@ pub(crate) fn until_steady(scene: &Scene, watch: &dyn Watch) -> Result<(Scene, N
     let first = default_slip_distance();
     let pressed = press_coarsely(&of_length(first), watch)?;
     let runner = Runner::new(&pressed, scene.loading.slip_rate, watch)?;
-    let run = coarse_run(&runner)?;
+    let [coarse, ..] = pressed.resolution.auxiliary();
+    let progress = RunProgress { kind: "until steady: ", span: (0.0, 0.0), goes_on: true };
+    let run = runner.run_with_room(&coarse, progress)?;
     if watch.cancelled() {
         return Err(SimulationError::Cancelled { partial: None });
     }
@@ -41,26 +42,6 @@ pub(crate) fn until_steady(scene: &Scene, watch: &dyn Watch) -> Result<(Scene, N
     };
     let slip = rounded(slip, 2);
     Ok((of_length(slip), Note::UntilSteady { slip, accuracy, is_steady }))
-}
-
-/// The slide on the coarse mesh, or on a wider one as long as its contact outgrows it and there is room.
-fn coarse_run(runner: &Runner<'_>) -> Result<Run, SimulationError> {
-    let [mut resolution, ..] = runner.pressed.resolution.auxiliary();
-    let progress = RunProgress { kind: "until steady: ", span: (0.0, 0.0), goes_on: true };
-    let mut run = runner.run(&resolution, progress, runner.watch)?;
-    loop {
-        let lacks_room = run.outgrown().is_some() || run.steady.is_some_and(|steady| steady.lacks_room());
-        resolution = resolution.wider();
-        if run.is_cancelled() || !lacks_room || !runner.conditions.fits(&resolution) {
-            return Ok(run);
-        }
-        match runner.run(&resolution, progress, runner.watch) {
-            Ok(wider) => run = wider,
-            Err(error @ SimulationError::Cancelled { .. }) => return Err(error),
-            // The run before is the result.
-            Err(_) => return Ok(run),
-        }
-    }
 }
 
 /// Refuses fields beyond the end of the slide.

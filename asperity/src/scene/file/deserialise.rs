@@ -7,6 +7,7 @@ use toml::{Table, Value};
 use super::check::check;
 use super::error::SceneFileError;
 use super::keys::{Key, Kind, find};
+use super::load::{INTERFERENCE, LOAD};
 use super::source::{Source, join};
 use crate::scene::presets;
 
@@ -51,7 +52,11 @@ fn explain<T: DeserializeOwned>(
             let allowed = format!("one of {names}; or {} given in its place", missing.join(", "));
             return source.missing("material.preset", allowed);
         }
-        return source.missing(full, allowed::<T>(&inner, table, keys));
+        let mut allowed = allowed::<T>(&inner, table, keys);
+        if full == INTERFERENCE {
+            allowed.push_str(&format!(", or {LOAD} given (N)"));
+        }
+        return source.missing(full, allowed);
     }
     // The name of a law is that of the section for serde.
     let inner = match value_at(table, inner) {

@@ -9,6 +9,7 @@ use super::counterface::{resolve_counterface, take_preset};
 use super::deserialise::read;
 use super::error::SceneFileError;
 use super::keys::SCENE;
+use super::load::{expected_interference, resolve_load};
 use super::programme::resolve_programme;
 use super::relations;
 use super::source::Source;
@@ -67,6 +68,7 @@ impl Document {
         }
         resolve_counterface(&mut sections, &self.source)?;
         resolve_programme(&mut sections, &self.source)?;
+        resolve_load(&mut sections, &self.source)?;
         if let Some(Value::Table(interface)) = sections.get_mut("interface") {
             // Serde has no default for the law of a section that has other keys too.
             let law = Table::try_from(FrictionLaw::default()).expect("plain data");
@@ -76,6 +78,9 @@ impl Document {
         scene.material.evaluate_at_temperature(scene.loading.temperature);
         scene.counterface.evaluate_at_temperature(scene.loading.temperature);
         relations::check_material(&scene, &self.source)?;
+        if let Some(load) = scene.loading.load {
+            scene.loading.interference = expected_interference(&scene, load);
+        }
         Ok(scene)
     }
 }

@@ -195,6 +195,7 @@ const COUNTERFACE: &[Key] = &[
 
 pub const LOADING: &[Key] = &[
     key("interference", Number("omega_0/omega_c", POSITIVE)),
+    key("load", Number("N", POSITIVE)),
     key("slip_rate", Number("m/s, 0 is the isothermal limit", SLIP_RATE)),
     key("slip_distance", NumberOr("contact radii", SLIP_DISTANCE, "steady")),
     key("control", Name),

@@ -15,6 +15,7 @@ mod deserialise;
 mod document;
 mod error;
 mod keys;
+mod load;
 mod programme;
 mod relations;
 mod request;
@@ -78,10 +79,13 @@ pub fn parse_scene(text: &str, file: &str, overrides: &[String]) -> Result<Scene
 /// The whole scene as TOML, with every default filled in; reading it gives the same scene.
 pub fn write_scene(scene: &Scene) -> String {
     const PLAIN: &str = "a scene is plain data";
-    if scene.loading.steps.is_empty() {
+    if scene.loading.steps.is_empty() && scene.loading.load.is_none() {
         return toml::to_string(scene).expect(PLAIN);
     }
     let mut sections = Table::try_from(scene).expect(PLAIN);
-    programme::leave_to_programme(&mut sections);
+    if !scene.loading.steps.is_empty() {
+        programme::leave_to_programme(&mut sections);
+    }
+    load::leave_to_load(&mut sections);
     toml::to_string(&sections).expect(PLAIN)
 }

@@ -13,6 +13,7 @@ use super::deserialise::read;
 use super::document::{Document, name_of, text_of};
 use super::error::SceneFileError;
 use super::keys::{POSITIVE, POSITIVE_FOR_LOG, Range, SLIP_RATE, TABLE, range_keys};
+use super::load::LOAD;
 use super::programme::STEPS;
 use super::relations;
 use super::source::Source;
@@ -99,18 +100,11 @@ pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Req
     let section = table_section(table, source)?;
     let mut slip_rates = section.slip_rate.clone().unwrap_or(SLIP_RATES.to_vec());
     let smallest = section.interference.as_ref().map_or(SMALLEST_INTERFERENCE, |given| given[0]);
-    if let Some(Value::Table(loading)) = document.sections.get_mut("loading") {
-        if let Some(steps) = loading.get("steps") {
-            let allowed = "left out of a request: the cells of a table slide at one slip rate each";
-            return Err(source.invalid(STEPS, steps, allowed));
-        }
-        for (key, first) in [("interference", smallest), ("slip_rate", slip_rates[0])] {
-            if let Some(value) = loading.insert(key.to_owned(), Value::Float(first)) {
-                let allowed = format!("left out of a request, which has table.{key}");
-                return Err(source.invalid(&format!("loading.{key}"), value, allowed));
-            }
-        }
-    }
+    leave_to_grid(
+        &mut document.sections,
+        [("interference", smallest), ("slip_rate", slip_rates[0])],
+        source,
+    )?;
     let mut template = document.scene()?;
     if template.loading.slip_distance <= 0.0 || template.loading.is_until_steady() {
         let allowed = "a positive number (contact radii): a table has histories over the same slips for all cells, and mu_steady beside \
@@ -147,6 +141,37 @@ pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Req
     let most_cells = section.max_cells.unwrap_or(MOST_CELLS.max(cells));
     request.goal = section.tolerance.map(|tolerance| Goal { tolerance, most_cells });
     Ok(request)
+}
+
+/// Enters the first values of the grid in the section `[loading]`, which gives none of its own.
+fn leave_to_grid(
+    sections: &mut Table,
+    first: [(&str, f64); 2],
+    source: &Source,
+) -> Result<(), SceneFileError> {
+    let Some(Value::Table(loading)) = sections.get_mut("loading") else {
+        return Ok(());
+    };
+    let ways = [
+        (STEPS, "steps", "left out of a request: the cells of a table slide at one slip rate each"),
+        (
+            LOAD,
+            "load",
+            "left out of a request, which has table.interference: surfaces find the loads of their contacts",
+        ),
+    ];
+    if let Some((path, value, allowed)) =
+        ways.iter().find_map(|(path, key, allowed)| Some((path, loading.get(*key)?, allowed)))
+    {
+        return Err(source.invalid(path, value, *allowed));
+    }
+    for (key, first) in first {
+        if let Some(value) = loading.insert(key.to_owned(), Value::Float(first)) {
+            let allowed = format!("left out of a request, which has table.{key}");
+            return Err(source.invalid(&format!("loading.{key}"), value, allowed));
+        }
+    }
+    Ok(())
 }
 
 /// A grid that is to be refined has at most this number of cells by default; `max_cells` overrides it.

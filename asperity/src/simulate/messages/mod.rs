@@ -35,6 +35,9 @@ pub enum Note {
         }
     )]
     UntilSteady { slip: f64, accuracy: f64, is_steady: bool },
+    /// P at the end of the press, N, and the interference that has it, ω₀/ω_c.
+    #[error("the load of {} N is that of an interference of {} omega_c", plain(*.prescribed), plain(*.interference))]
+    OfLoad { prescribed: f64, interference: f64 },
     /// Slip over the contact radius after the press.
     #[error("a slide on the coarse mesh went on to {} contact radii for mu_steady", digits(*.0, 2))]
     WentOn(f64),

@@ -17,7 +17,7 @@ pub use words::{in_words, table};
 use crate::scene::{Kinematics, Scene};
 use crate::simulate::accuracy::error_budget::CONTROLLED;
 use crate::simulate::outcome::MAIN;
-use crate::simulate::{SimulationError, Watch, press, simulate, slide_refined, until_steady};
+use crate::simulate::{SimulationError, Watch, find_what_is_open, press, simulate, slide_refined};
 
 /// Quantities whose convergence is shown.
 pub const SHOWN: [Quantity; 7] = MAIN;
@@ -83,8 +83,8 @@ impl Convergence {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn sweep(scene: &Scene, finest: usize, watch: &dyn Watch) -> Result<Self, SimulationError> {
-        if scene.loading.is_until_steady() {
-            return Self::sweep(&until_steady(scene, watch)?.0, finest, watch);
+        if let Some((found, _)) = find_what_is_open(scene, watch)? {
+            return Self::sweep(&found, finest, watch);
         }
         let mut runs = Vec::new();
         let mut finite_strain = false;

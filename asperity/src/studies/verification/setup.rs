@@ -70,6 +70,7 @@ pub fn scene(material: Material, law: FrictionLaw, interference: f64, mesh: Mesh
         counterface: Counterface::default(),
         loading: Loading {
             interference,
+            load: None,
             slip_rate: 0.0,
             slip_distance: 1e-6,
             steps: Vec::new(),
