@@ -129,10 +129,9 @@ pub fn run(
         .collect();
     // One after the other to whichever thread is free: scenes are complete in their order.
     let new: Vec<io::Result<Option<Record>>> = lacking
-        .par_iter()
-        .with_max_len(1)
-        .by_uniform_blocks(2 * rayon::current_num_threads())
-        .map(|&(scene, role)| {
+        .into_iter()
+        .par_bridge()
+        .map(|(scene, role)| {
             if watch.cancelled() {
                 return Ok(None);
             }
