@@ -34,6 +34,8 @@ pub(crate) mod values;
 
 use std::time::Instant;
 
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+
 use crate::discretisation::threads::InProgress;
 use crate::interface::contact::Contact;
 use crate::loading::press::Increment;
@@ -209,6 +211,17 @@ pub(crate) fn slide_refined(
 
 /// Stack of a thread that simulates, bytes: while it waits for another one, it may compute a further run.
 pub const STACK_SIZE: usize = 32 << 20;
+
+/// A pool of threads for each simulation that is run at a time: of one, unless there are fewer of them than `threads`. In a
+/// common pool a thread that waits for a part of its simulation would begin another one.
+pub(crate) fn pools(threads: usize, simulations: usize) -> Result<Vec<ThreadPool>, ThreadPoolBuildError> {
+    let count = simulations.clamp(1, threads);
+    let pool = |n: usize| {
+        let threads = threads / count + usize::from(n < threads % count);
+        ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_SIZE).build()
+    };
+    (0..count).map(pool).collect()
+}
 
 /// A simulation on a thread of the pool. A thread outside of it would hand each divided loop to the pool and wait.
 fn in_pool<R: Send>(compute: impl FnOnce() -> R + Send) -> R {

@@ -24,7 +24,6 @@ mod tabulation;
 
 use std::path::Path;
 
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use tables::netcdf::DatasetError;
 use tables::numbers::{digits, plain};
 use tables::table::{Axes, Table, TableError};
@@ -39,7 +38,7 @@ use crate::scene::Scene;
 use crate::scene::file::{Request, write_request};
 use crate::simulate::largest_interference;
 use crate::simulate::outcome::Outcome;
-use crate::simulate::{self, Pressed, STACK_SIZE, SimulationError, Watch};
+use crate::simulate::{self, Pressed, SimulationError, Watch, pools};
 use grid::Work;
 use journal::Known;
 use layout::Layout;
@@ -268,7 +267,9 @@ pub(crate) fn tabulate_with<S: Simulator>(
         let wanted = options.shard.map_or(vec![true; expected.len()], |shard| shard.members(&expected));
         let work = Work { layout, wanted: &wanted, expected: &expected, jobs: options.jobs };
         watch.expects(work.pending(&known).map(|position| expected[position]).sum());
-        let pools = pools(options.jobs, work.pending(&known).count())?;
+        let jobs = options.jobs;
+        let pools = pools(jobs, work.pending(&known).count())
+            .map_err(|error| TabulateError::Threads { jobs, reason: error.to_string() })?;
         grid::run(simulator, &work, (&mut known, &mut journal), &pools, watch)?;
         let columns = axes.slip_rate.len();
         let row = |i: usize| (0..columns).map(|j| known.get(&layout.point((i, j)).key()).cloned()).collect();
@@ -290,17 +291,6 @@ pub(crate) fn tabulate_with<S: Simulator>(
             None => return Ok((tabulation, journal)),
         }
     }
-}
-
-/// A pool of threads for each cell that is run at a time: of one, unless there are fewer cells than `jobs`.
-fn pools(jobs: usize, cells: usize) -> Result<Vec<ThreadPool>, TabulateError> {
-    let count = cells.clamp(1, jobs);
-    let pool = |n: usize| {
-        let threads = jobs / count + usize::from(n < jobs % count);
-        let pool = ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_SIZE).build();
-        pool.map_err(|error| TabulateError::Threads { jobs, reason: error.to_string() })
-    };
-    (0..count).map(pool).collect()
 }
 
 /// Whether the model goes as deep as the largest interference, at every initial temperature.

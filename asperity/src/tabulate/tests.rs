@@ -164,7 +164,7 @@ fn threads_are_divided_among_cells() {
     {
         let pools = pools(jobs, cells).unwrap();
         assert!(
-            pools.iter().map(ThreadPool::current_num_threads).eq(threads.iter().copied()),
+            pools.iter().map(rayon::ThreadPool::current_num_threads).eq(threads.iter().copied()),
             "{jobs} {cells}"
         );
     }

@@ -14,10 +14,9 @@ pub mod scenes;
 
 use std::io;
 use std::path::Path;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 pub use document::markdown;
@@ -26,7 +25,7 @@ pub use report::{Judged, QuantityReport, Report};
 
 use crate::output::journal_file::{JournalFile, decode};
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::{Watch, sample, simulate};
+use crate::simulate::{Watch, pools, sample, simulate};
 
 /// What a run of the study is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, Serialize)]
@@ -121,31 +120,37 @@ pub fn run(
 ) -> io::Result<Vec<Record>> {
     let (journal, text) = JournalFile::open(path)?;
     let mut records: Vec<Record> = text.lines().filter_map(decode).collect();
-    let journal = Mutex::new(journal);
     let lacking: Vec<(usize, Role)> = which
         .iter()
         .flat_map(|&scene| Role::ALL.map(|role| (scene, role)))
         .filter(|&(scene, role)| !records.iter().any(|r| r.scene == scene && r.role == role))
         .collect();
+    let pools = pools(rayon::current_num_threads(), lacking.len()).map_err(io::Error::other)?;
     // One after the other to whichever thread is free: scenes are complete in their order.
-    let new: Vec<io::Result<Option<Record>>> = lacking
-        .into_iter()
-        .par_bridge()
-        .map(|(scene, role)| {
-            if watch.cancelled() {
-                return Ok(None);
-            }
+    let waiting = Mutex::new(lacking.into_iter());
+    let written = Mutex::new((journal, Vec::new()));
+    let next = || lock(&waiting).next().filter(|_| !watch.cancelled());
+    let run_waiting = || -> io::Result<()> {
+        while let Some((scene, role)) = next() {
             let record = role.run(scene, watch);
             if watch.cancelled() {
-                return Ok(None);
+                break;
             }
-            journal.lock().unwrap_or_else(PoisonError::into_inner).append(&record)?;
+            let (journal, new) = &mut *lock(&written);
+            journal.append(&record)?;
             done(&record);
-            Ok(Some(record))
-        })
-        .collect();
-    for record in new {
-        records.extend(record?);
-    }
+            new.push(record);
+        }
+        Ok(())
+    };
+    std::thread::scope(|scope| {
+        let workers: Vec<_> = pools.iter().map(|pool| scope.spawn(|| pool.install(run_waiting))).collect();
+        workers.into_iter().try_for_each(|worker| worker.join().expect("no run panics"))
+    })?;
+    records.extend(written.into_inner().unwrap_or_else(PoisonError::into_inner).1);
     Ok(records)
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
