@@ -18,7 +18,8 @@ const MEANINGFUL: f64 = 1.5;
 /// The main run and the auxiliary runs of the resolution `start`.
 pub(super) struct Ladder {
     pub start: Resolution,
-    /// On the coarse mesh: unchanged, with another N_θ, with longer increments, with a looser solver.
+    /// On the coarse mesh: unchanged, with another N_θ, with longer increments and a looser solver, and where their effect
+    /// matters with the looser solver alone.
     pub auxiliary: Vec<Run>,
     /// Each finer than the one before.
     pub main: Vec<Run>,

@@ -13,10 +13,9 @@ use super::run::Run;
 use super::{SimulationError, Watch};
 use crate::discretisation::threads::is_alone;
 use crate::loading::slide::SlideFailure;
-use crate::simulate::accuracy::error_budget::{ErrorBudget, RunValues, estimate};
+use crate::simulate::accuracy::error_budget::{AuxiliaryValues, ErrorBudget, RunValues, estimate};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::steady::SteadyState;
-use crate::simulate::values::Values;
 
 /// Shares of the progress of a slide at the end of the auxiliary runs and of the main run; then it may be
 /// repeated more finely.
@@ -24,9 +23,14 @@ const AUXILIARY: f64 = 0.25;
 const MAIN: f64 = 0.7;
 
 /// Of all auxiliary runs; none where one did not finish.
-fn auxiliary_values(runs: &[Run]) -> Option<[&Values; 4]> {
-    let finished = runs.iter().filter(|run| run.failure.is_none());
-    finished.map(|run| &run.values).collect::<Vec<_>>().try_into().ok()
+fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryValues<'_>> {
+    let [coarse, other_sectors, longer_steps, looser @ ..] = runs else { return None };
+    runs.iter().all(|run| run.failure.is_none()).then_some(AuxiliaryValues {
+        coarse: &coarse.values,
+        other_sectors: &other_sectors.values,
+        longer_steps: &longer_steps.values,
+        looser_solver: looser.first().map(|run| &run.values),
+    })
 }
 
 /// What follows the auxiliary runs.
@@ -133,6 +137,15 @@ impl<'a> Runner<'a> {
                 Err(error) => return Ok((runs, Next::Failed(error))),
             }
         }
+        let budget = auxiliary_values(&runs).map(|values| ErrorBudget::other_than_mesh(values, &start));
+        if budget.is_some_and(|budget| budget.steps_matter(&runs[0].values, &self.pressed.numerics)) {
+            let progress =
+                RunProgress { kind: "coarse mesh: ", span: (AUXILIARY, AUXILIARY), goes_on: false };
+            match self.run(&coarse.looser_solver(), progress, watch) {
+                Ok(looser) => runs.push(looser),
+                Err(error) => return Ok((runs, Next::Failed(error))),
+            }
+        }
         let next = if runs.iter().any(Run::is_cancelled) {
             Next::Failed(SimulationError::Cancelled { partial: None })
         } else if self.wider(&start, runs.iter()).is_some() {
@@ -162,7 +175,7 @@ impl<'a> Runner<'a> {
     /// the auxiliary runs require them.
     fn main_resolution(&self, start: &Resolution, auxiliary: &[Run]) -> Resolution {
         let Some(values) = auxiliary_values(auxiliary) else { return *start };
-        let (_, parts) = ErrorBudget::other_than_mesh(values, start).worst(values[0]);
+        let (_, parts) = ErrorBudget::other_than_mesh(values, start).worst(values.coarse);
         start.refine_other_than_mesh(&self.pressed.numerics, &parts)
     }
 
@@ -277,5 +290,32 @@ impl<'a> Runner<'a> {
             Err(_) => None,
         };
         Ok(found.filter(|found| found.ratio.error < steady.ratio.error).or(Some(steady)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tables::quantity::Quantity;
+
+    use crate::scene::tests::of_preset;
+    use crate::simulate::outcome::ErrorSource;
+    use crate::simulate::{Unwatched, simulate};
+
+    /// The longer increments change friction by some 0.1 %.
+    #[test]
+    fn the_tolerance_is_told_apart_where_increments_matter() {
+        let parts_at = |accuracy: &str| {
+            let mesh = ["numerics.elements_per_radius=6", "numerics.sectors=4"];
+            let scene = of_preset(
+                "copper",
+                &[&["loading.interference=5", "loading.slip_distance=0.2", accuracy], &mesh[..]].concat(),
+            );
+            let budget = simulate(&scene, &Unwatched).unwrap().budget;
+            [ErrorSource::Steps, ErrorSource::Solver].map(|source| budget.part(source, Quantity::Friction))
+        };
+        let [steps, solver] = parts_at("numerics.accuracy=0.2");
+        assert!(steps > 0.0 && solver == 0.0, "{steps} {solver}");
+        let [steps, solver] = parts_at("numerics.accuracy=0.001");
+        assert!(solver > 0.0 && solver < 0.1 * steps, "{steps} {solver}");
     }
 }

@@ -16,6 +16,8 @@ const PRESS_INCREMENTS: f64 = 18.0;
 const MOST_ELEMENTS: usize = 48;
 const MOST_SECTORS: usize = 16;
 const LEAST_GROWTH: f64 = 0.05;
+/// Share of the accuracy that the part of angles or increments of a run to be refined may have.
+pub const MOST_OF_STEPS: f64 = 0.4;
 /// Factor of the room for a contact that outgrows its mesh.
 const WIDER: f64 = 1.5;
 
@@ -127,11 +129,11 @@ impl Resolution {
         })
     }
 
-    /// Those of the auxiliary runs: on the coarse mesh unchanged, with another N_θ, with longer increments, with a
-    /// looser solver.
-    pub fn auxiliary(&self) -> [Self; 4] {
+    /// Those of the auxiliary runs: on the coarse mesh unchanged, with another N_θ, with longer increments and a looser
+    /// solver.
+    pub fn auxiliary(&self) -> [Self; 3] {
         let coarse = self.coarse();
-        [coarse, coarse.other_sectors(), coarse.longer_steps(), coarse.looser_solver()]
+        [coarse, coarse.other_sectors(), coarse.longer_steps().looser_solver()]
     }
 
     /// The same with more room for the contact to grow.
@@ -204,12 +206,11 @@ impl Resolution {
     /// A resolution at which the error should be `accuracy`, given its parts (relative) at this one;
     /// none if that is met, or fixed by the scene or the limits.
     pub fn refine(&self, numerics: &Numerics, parts: &RelativeParts) -> Option<Self> {
-        const SHARE: f64 = 0.4;
         let accuracy = numerics.accuracy;
         if parts.total() <= accuracy || parts.solver_exceeds(accuracy) {
             return None;
         }
-        let finer = self.refine_above(SHARE * accuracy, numerics, parts);
+        let finer = self.refine_above(MOST_OF_STEPS * accuracy, numerics, parts);
         let after = RelativeParts {
             sectors: parts.sectors * (self.sectors as f64 / finer.sectors as f64).powi(2),
             steps: parts.steps * (finer.growth / self.growth),

@@ -1,10 +1,10 @@
 //! Error estimates by source: mesh, collocation angles, increments, solver, model.
 //!
-//! Every run has auxiliary runs on a mesh half as fine: one unchanged, and one each with another N_θ, with increments
-//! twice as large and with a larger solver tolerance; a run refined by itself has a further one, on the mesh half as
+//! Every run has auxiliary runs on a mesh half as fine: one unchanged, one with another N_θ, and one in increments twice as
+//! large with a larger solver tolerance; where the effect of these two matters, one with that tolerance alone. A run refined by itself has a further one, on the mesh half as
 //! fine as its own. The difference between the run and that on the mesh half as fine, by the order of convergence (1.5
 //! for the square-root edge of the pressure), bounds its mesh error; the differences among the auxiliary runs bound the
-//! errors of the other three sources, less where the run is finer than they are. A bound ±d is taken as the standard
+//! errors of the other three sources, less where the run is finer than they are; that of the angles falls with the elements, too. A bound ±d is taken as the standard
 //! uncertainty d/√3 of a rectangular distribution. One difference of two meshes may be small by chance; the mesh has a
 //! standard uncertainty of its own beside it, the scatter of such runs about their limits. All of this is a function of the
 //! values of the runs: [`estimate`].
@@ -15,9 +15,10 @@
 
 use tables::quantity::{COVERAGE_FACTOR, OF_BOUND, Quantity};
 
+use crate::scene::Numerics;
 use crate::scene::fitted_constants::error_estimates::ORDER;
 use crate::simulate::accuracy::modelling_error::ModellingError;
-use crate::simulate::accuracy::resolution::{RelativeParts, Resolution};
+use crate::simulate::accuracy::resolution::{MOST_OF_STEPS, RelativeParts, Resolution};
 use crate::simulate::accuracy::scatter::scatter;
 use crate::simulate::values::Values;
 
@@ -84,6 +85,17 @@ pub const CONTROLLED: [Quantity; 6] = [
     Quantity::EnergyRelease,
 ];
 
+/// Values of the auxiliary runs.
+#[derive(Clone, Copy)]
+pub struct AuxiliaryValues<'a> {
+    pub coarse: &'a Values,
+    pub other_sectors: &'a Values,
+    /// In longer increments, solved less exactly.
+    pub longer_steps: &'a Values,
+    /// Solved less exactly alone, where that matters.
+    pub looser_solver: Option<&'a Values>,
+}
+
 /// A finished run: its resolution and its values.
 #[derive(Clone, Copy)]
 pub struct RunValues<'a> {
@@ -95,7 +107,7 @@ pub struct RunValues<'a> {
 /// `interference` is ω₀/ω_c.
 pub fn estimate(
     start: &Resolution,
-    auxiliary: [&Values; 4],
+    auxiliary: AuxiliaryValues<'_>,
     [run, coarse]: [RunValues<'_>; 2],
     modelling_error: &ModellingError,
     interference: f64,
@@ -109,19 +121,19 @@ pub fn estimate(
 
 impl ErrorBudget {
     /// All but the mesh's part, of a run at the resolution `start`.
-    pub fn other_than_mesh(auxiliary: [&Values; 4], start: &Resolution) -> Self {
-        let [coarse, other_sectors, longer_steps, looser_solver] = auxiliary;
-        let difference = |other: &Values, share: f64| {
-            Quantity::SCALARS.map(|q| OF_BOUND * share * (coarse.value(q) - other.value(q)).abs())
+    pub fn other_than_mesh(auxiliary: AuxiliaryValues<'_>, start: &Resolution) -> Self {
+        let difference = |with: &Values, share: f64| {
+            Quantity::SCALARS.map(|q| OF_BOUND * share * (auxiliary.coarse.value(q) - with.value(q)).abs())
         };
-        let sectors = sectors_share(start.sectors, start.coarse().other_sectors().sectors);
+        let other = start.coarse().other_sectors();
+        let sectors = sectors_share(start.sectors, other.sectors) * elements_ratio(&other, start);
         Self {
             parts: [
                 [0.0; QUANTITIES],
-                difference(other_sectors, sectors),
+                difference(auxiliary.other_sectors, sectors),
                 // First order in the increments.
-                difference(longer_steps, 1.0),
-                difference(looser_solver, 1.0),
+                difference(auxiliary.longer_steps, 1.0),
+                auxiliary.looser_solver.map_or([0.0; QUANTITIES], |looser| difference(looser, 1.0)),
                 [0.0; QUANTITIES],
             ],
             ..Self::default()
@@ -141,10 +153,9 @@ impl ErrorBudget {
         self.brackets = Quantity::SCALARS.map(|quantity| OF_BOUND * fine.bracket(quantity));
     }
 
-    /// After a refinement in sectors and increments: second order in θ at least, first in the
-    /// increments.
+    /// After a refinement: second order in θ at least, and first in the elements; first in the increments.
     fn refined(mut self, from: &Resolution, to: &Resolution) -> Self {
-        let sectors = (from.sectors as f64 / to.sectors as f64).powi(2);
+        let sectors = (from.sectors as f64 / to.sectors as f64).powi(2) * elements_ratio(from, to);
         let steps = to.growth / from.growth;
         for (source, factor) in [(ErrorSource::Collocation, sectors), (ErrorSource::Steps, steps)] {
             self.parts[source as usize].iter_mut().for_each(|part| *part *= factor);
@@ -189,6 +200,15 @@ impl ErrorBudget {
     pub fn relative(&self, quantity: Quantity, values: &Values) -> f64 {
         let value = values.value(quantity).abs();
         if value > 0.0 { self.total(quantity) / value } else { 0.0 }
+    }
+
+    /// Whether the longer increments and the larger tolerance of an auxiliary run change a controlled quantity so much that it
+    /// matters which of them does.
+    pub fn steps_matter(&self, values: &Values, numerics: &Numerics) -> bool {
+        CONTROLLED.iter().any(|&quantity| {
+            let steps = COVERAGE_FACTOR * self.parts[ErrorSource::Steps as usize][quantity as usize];
+            steps > MOST_OF_STEPS * numerics.accuracy * quantity.allowance() * values.value(quantity).abs()
+        })
     }
 
     /// The worst of the controlled quantities, and the parts of its reported error relative to its value that a finer
@@ -237,138 +257,16 @@ fn sectors_share(sectors: usize, others: usize) -> f64 {
     1.0 / ((sectors as f64 / others as f64).powi(2) - 1.0).abs().max(0.5)
 }
 
+/// Effect of the sectors on one mesh over that on another: where the edge is between two rings differs from angle to angle, and
+/// that averages out with more of them.
+fn elements_ratio(coarse: &Resolution, fine: &Resolution) -> f64 {
+    coarse.elements_per_radius as f64 / fine.elements_per_radius as f64
+}
+
 /// Error of the finer of two runs over their difference.
 fn mesh_share(refinement: f64) -> f64 {
     1.0 / (refinement.powf(ORDER) - 1.0).abs()
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scene::Numerics;
-    use crate::scene::fitted_constants::localised_shear;
-
-    fn numerics() -> Numerics {
-        Numerics { accuracy: 0.02, elements_per_radius: None, sectors: None }
-    }
-
-    /// 3 + 2 n^-1.5 on n elements, and first order in the increments of the press: both bounds, and the scatter.
-    #[test]
-    fn errors_of_a_press_of_known_orders_are_found() {
-        let run = Resolution::choose(&numerics());
-        let coarser = run.coarse();
-        let longer = coarser.longer_steps();
-        let part = |r: &Resolution| {
-            [2.0 * (r.elements_per_radius as f64).powf(-1.5), 0.4 / r.press_increments() as f64]
-        };
-        let of = |r: &Resolution| 3.0 + part(r).iter().sum::<f64>();
-        let scatter = 0.003;
-        let found = of_press([&run, &coarser, &longer].map(of), &run, &coarser, scatter);
-        let [mesh, _] = part(&run);
-        let steps = part(&longer)[1] - part(&coarser)[1];
-        let exact = 4.0 * ((mesh * mesh + steps * steps) / 3.0 + (scatter * of(&run)).powi(2));
-        assert!((found * found / exact - 1.0).abs() < 1e-9, "{found}");
-    }
-
-    /// 3 + 2 n^-1.5 + 0.4 g + 0.5/N_θ² with n elements, slip increments g and N_θ angles: each part of the error is
-    /// found, of a main run and of a finer one.
-    #[test]
-    fn errors_of_runs_of_known_orders_are_found() {
-        let parts = |r: &Resolution| {
-            let (elements, angles) = (r.elements_per_radius as f64, r.sectors as f64);
-            [2.0 * elements.powf(-1.5), 0.5 / angles.powi(2), 0.4 * r.growth]
-        };
-        let values = |r: &Resolution| Values::all(3.0 + parts(r).iter().sum::<f64>());
-        let start = Resolution::choose(&numerics());
-        let auxiliary = start.auxiliary().map(|r| values(&r));
-        let mesh = start.finer_mesh(2);
-        let angles = Resolution { sectors: 2 * mesh.sectors, ..mesh };
-        let runs = [start, mesh, angles].map(|resolution| (resolution, values(&resolution)));
-        for (resolution, values_here) in &runs {
-            let coarser = resolution.coarse();
-            let pair = [
-                RunValues { resolution, values: values_here },
-                RunValues { resolution: &coarser, values: &values(&coarser) },
-            ];
-            let budget = estimate(&start, auxiliary.each_ref(), pair, &ModellingError::default(), 1.0);
-            let exact = parts(resolution);
-            let sources = [ErrorSource::Mesh, ErrorSource::Collocation, ErrorSource::Steps];
-            for (source, exact) in sources.into_iter().zip(exact) {
-                // The heat partition has no scatter.
-                let found = budget.part(source, Quantity::HeatPartition);
-                assert!((found / exact - 2.0 / 3f64.sqrt()).abs() < 1e-9, "{source:?}: {found} {exact}");
-            }
-            let total = 2.0 * (exact.iter().map(|part| part * part).sum::<f64>() / 3.0).sqrt();
-            assert!((budget.total(Quantity::HeatPartition) / total - 1.0).abs() < 1e-9);
-            assert_eq!(budget.part(ErrorSource::Model, Quantity::HeatPartition), 0.0);
-        }
-    }
-
-    #[test]
-    fn what_is_known_of_an_unfinished_run_is_the_meshs() {
-        let known = |quantity| (quantity == Quantity::LoadPress).then_some(0.3);
-        let budget = ErrorBudget::unknown(known);
-        let mesh = budget.part(ErrorSource::Mesh, Quantity::LoadPress);
-        assert!((mesh - 0.3).abs() < 1e-15 && (budget.total(Quantity::LoadPress) - 0.3).abs() < 1e-15);
-        assert!(budget.total(Quantity::Mu).is_nan());
-        assert!(ErrorSource::ALL.iter().all(|source| budget.part(*source, Quantity::Mu).is_nan()));
-    }
-
-    /// The uncertainty of sliding inception is in the reported error, and asks for no refinement.
-    #[test]
-    fn brackets_are_reported() {
-        let values = Values::all(2.0);
-        let mut budget = ErrorBudget::default();
-        budget.brackets[Quantity::MuStatic as usize] = 0.1;
-        assert!((budget.relative(Quantity::MuStatic, &values) - 0.1).abs() < 1e-12);
-        assert_eq!(budget.worst(&values).1, RelativeParts::default());
-    }
-
-    /// Equal values on all runs: what is left is the scatter of the quantity at its interference.
-    #[test]
-    fn meshes_that_agree_leave_the_scatter() {
-        let start = Resolution::choose(&numerics());
-        let coarser = start.coarse();
-        let values = Values::all(2.0);
-        let pair = [&start, &coarser].map(|resolution| RunValues { resolution, values: &values });
-        for interference in [0.2, 20.0] {
-            let budget = estimate(&start, [&values; 4], pair, &ModellingError::default(), interference);
-            for quantity in [Quantity::Mu, Quantity::EnergyRelease] {
-                let exact = 2.0 * scatter(quantity, interference, start.elements_per_radius);
-                assert!((budget.relative(quantity, &values) / exact - 1.0).abs() < 1e-12);
-                assert!((budget.total(quantity) / (2.0 * exact) - 1.0).abs() < 1e-12);
-            }
-            // Of G a multiple is allowed.
-            let (worst, parts) = budget.worst(&values);
-            let of = |quantity| budget.relative(quantity, &values) / quantity.allowance();
-            assert!(CONTROLLED.iter().all(|&quantity| of(quantity) <= of(worst)));
-            assert!((parts.total() / of(worst) - 1.0).abs() < 1e-12);
-        }
-    }
-
-    /// What no finer mesh removes is in the error, and asks for no refinement.
-    #[test]
-    fn localised_shear_is_no_reason_for_a_finer_mesh() {
-        let values = Values::all(2.0);
-        let mut budget = ErrorBudget::default();
-        let bounds = Some(&localised_shear::ON_PLATEAU);
-        budget.set_model(&ModellingError { localised_shear: bounds, ..Default::default() }, &values);
-        let exact = 2.0 / 3f64.sqrt() * localised_shear::ON_PLATEAU.energy;
-        assert!((budget.relative(Quantity::EnergyRelease, &values) / exact - 1.0).abs() < 1e-12);
-        assert_eq!(budget.worst(&values).1, RelativeParts::default());
-    }
-
-    /// 3 + 2 n^-1.5 on every mesh in the range of n_c: the estimate is exact whichever of the two meshes is the finer.
-    #[test]
-    fn every_mesh_has_an_auxiliary_one() {
-        let value = |elements: usize| 3.0 + 2.0 * (elements as f64).powf(-1.5);
-        for elements in [4, 5, 6, 7, 8, 12, 48] {
-            let run = Resolution::choose(&Numerics { elements_per_radius: Some(elements), ..numerics() });
-            let other = run.coarse();
-            let refinement = elements as f64 / other.elements_per_radius as f64;
-            let change = (value(elements) - value(other.elements_per_radius)).abs();
-            let ratio = mesh_share(refinement) * change / (value(elements) - 3.0);
-            assert!((ratio - 1.0).abs() < 1e-9, "{elements}: {ratio}");
-        }
-    }
-}
+mod tests;
