@@ -86,6 +86,11 @@ impl Ladder {
         self.main.last().expect("there is a main run")
     }
 
+    /// Whether the result is not an auxiliary run in the place of the main one.
+    pub fn has_main_run(&self) -> bool {
+        self.result().resolution.elements_per_radius != self.start.coarse().elements_per_radius
+    }
+
     /// The next finer resolution, if the accuracy requires one, the last refinement, if any, reduced the error, and the
     /// time with it is short, or within the factor of the time `expected` (s) of all runs.
     pub fn finer(&mut self, budget: &ErrorBudget, numerics: &Numerics, expected: f64) -> Option<Resolution> {

@@ -159,7 +159,8 @@ impl<'a> Runner<'a> {
     /// Errors of the finest main run; none where a run did not finish.
     pub fn judge(&self, ladder: &Ladder) -> Option<ErrorBudget> {
         let run = ladder.result();
-        let auxiliary = auxiliary_values(&ladder.auxiliary).filter(|_| run.failure.is_none())?;
+        let is_judged = run.failure.is_none() && ladder.has_main_run();
+        let auxiliary = auxiliary_values(&ladder.auxiliary).filter(|_| is_judged)?;
         // That of the coarse mesh with as many sectors, if there is one.
         let [coarse, other_sectors, ..] = &ladder.auxiliary[..] else { return None };
         let has_as_many = other_sectors.resolution.sectors == run.resolution.sectors;
@@ -297,20 +298,59 @@ impl<'a> Runner<'a> {
 mod tests {
     use tables::quantity::Quantity;
 
+    use crate::scene::Scene;
     use crate::scene::tests::of_preset;
+    use crate::simulate::messages::Warning;
     use crate::simulate::outcome::ErrorSource;
-    use crate::simulate::{Unwatched, simulate};
+    use crate::simulate::{SimulationError, Unwatched, press, simulate, slide};
+
+    /// Copper on 6 elements, the auxiliary runs on 4.
+    fn coarse_scene(accuracy: &str) -> Scene {
+        let mesh = ["numerics.elements_per_radius=6", "numerics.sectors=4"];
+        let loading = ["loading.interference=5", "loading.slip_rate=0", "loading.slip_distance=0.2"];
+        of_preset("copper", &[&[accuracy], &mesh[..], &loading].concat())
+    }
+
+    /// Where the main run cannot begin, the finished auxiliary run is the result, and the error says so.
+    #[test]
+    fn a_main_run_that_cannot_begin_leaves_the_auxiliary_run() {
+        for accuracy in ["numerics.accuracy=0.5", "numerics.accuracy=0.001"] {
+            let scene = coarse_scene(accuracy);
+            let mut pressed = press(&scene, &Unwatched).unwrap();
+            // The fine mesh is to be pressed again, and no mesh can be laid out for a contact as large as the asperity.
+            pressed.meshes.remove(1);
+            pressed.contact_radius = 1.0;
+            let error = slide(&pressed, 0.0, &Unwatched).unwrap_err();
+            let text = error.to_string();
+            assert!(text.starts_with("the press did not converge at the mesh of the main run: "), "{text}");
+            let saved =
+                "the run before, complete, with 4 elements per contact radius and 4 sectors; numerics.";
+            assert!(text.contains(saved), "{text}");
+            let SimulationError::NotConverged { partial: Some(outcome), .. } = error else {
+                panic!("{text}")
+            };
+            assert_eq!((outcome.account.elements_per_radius, outcome.account.sectors), (4, 4));
+            assert!(outcome.steady || outcome.slide.len() > 10, "{}", outcome.slide.len());
+            assert!(
+                outcome.scalars.iter().all(|(_, estimate)| estimate.error.is_nan()),
+                "{:?}",
+                outcome.scalars
+            );
+            let expected =
+                [Warning::ErrorsUnknown, Warning::NoMainRun { elements_per_radius: 4, sectors: 4 }];
+            assert!(
+                expected.iter().all(|warning| outcome.account.warnings.contains(warning)),
+                "{:?}",
+                outcome.account
+            );
+        }
+    }
 
     /// The longer increments change friction by some 0.1 %.
     #[test]
     fn the_tolerance_is_told_apart_where_increments_matter() {
         let parts_at = |accuracy: &str| {
-            let mesh = ["numerics.elements_per_radius=6", "numerics.sectors=4"];
-            let scene = of_preset(
-                "copper",
-                &[&["loading.interference=5", "loading.slip_distance=0.2", accuracy], &mesh[..]].concat(),
-            );
-            let budget = simulate(&scene, &Unwatched).unwrap().budget;
+            let budget = simulate(&coarse_scene(accuracy), &Unwatched).unwrap().budget;
             [ErrorSource::Steps, ErrorSource::Solver].map(|source| budget.part(source, Quantity::Friction))
         };
         let [steps, solver] = parts_at("numerics.accuracy=0.2");

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use super::accuracy::resolution::Resolution;
 use super::messages::{Note, Warning};
 use super::outcome::{ErrorSource, Outcome};
-use super::{SimulationError, Unwatched, Watch, derived, press, run_alone, sample, simulate, slide};
+use super::{SimulationError, Unwatched, Watch, derived, run_alone, sample, simulate};
 use crate::heat::expected::HeatEffect;
 use crate::loading::slide::SlideFailure;
 use crate::scene::file::parse_scene;
@@ -239,31 +239,6 @@ fn a_stop_is_honoured_in_the_innermost_loops() {
         assert!(after < 100, "{after} questions after the request at {allowed} of {questions}");
     }
     assert!(kept[0] == 0 && kept[kept.len() - 1] > 5, "{kept:?}");
-}
-
-/// Where the main run cannot begin, the finished auxiliary run is the result, and the error says so.
-#[test]
-fn a_main_run_that_cannot_begin_leaves_the_auxiliary_run() {
-    let scene = hot_scene("copper", 2.0, 0.0, "off");
-    let mut pressed = press(&scene, &Unwatched).unwrap();
-    // The fine mesh is to be pressed again, and no mesh can be laid out for a contact as large as the asperity.
-    pressed.meshes.remove(1);
-    pressed.contact_radius = 1.0;
-    let error = slide(&pressed, 0.0, &Unwatched).unwrap_err();
-    let text = error.to_string();
-    assert!(text.starts_with("the press did not converge at the mesh of the main run: "), "{text}");
-    let saved = "the run before, complete, with 4 elements per contact radius and 4 sectors; numerics.";
-    assert!(text.contains(saved), "{text}");
-    let SimulationError::NotConverged { partial: Some(outcome), .. } = error else { panic!("{text}") };
-    assert_eq!((outcome.account.elements_per_radius, outcome.account.sectors), (4, 4));
-    assert!(outcome.steady || outcome.slide.len() > 10, "{}", outcome.slide.len());
-    assert!(outcome.scalars.iter().all(|(_, estimate)| estimate.error.is_nan()), "{:?}", outcome.scalars);
-    let expected = [Warning::ErrorsUnknown, Warning::NoMainRun { elements_per_radius: 4, sectors: 4 }];
-    assert!(
-        expected.iter().all(|warning| outcome.account.warnings.contains(warning)),
-        "{:?}",
-        outcome.account
-    );
 }
 
 /// Without friction every term of the balance is a rounding error, and so is what is missing.

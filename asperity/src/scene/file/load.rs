@@ -101,13 +101,14 @@ mod tests {
         assert!(error.contains("loading.load = 20") && error.contains("table.interference"), "{error}");
     }
 
-    /// Hertz's law below first yield.
+    /// Hertz's law below first yield; such an interference is not taken for one in metres.
     #[test]
     fn a_light_load_is_that_of_hertz() {
-        let scene = read("load = 1e-6", &[]).unwrap();
+        let scene = read("load = 1e-8", &[]).unwrap();
         let body = scene.material.elastic_plastic();
         let interference = scene.loading.interference * body.critical_interference(scene.radius);
         let load = 4.0 / 3.0 * body.contact_modulus() * scene.radius.sqrt() * interference.powf(1.5);
-        assert!((load / 1e-6 - 1.0).abs() < 1e-9, "{load}");
+        assert!((load / 1e-8 - 1.0).abs() < 1e-9, "{load}");
+        assert_eq!(scene.interference_in_metres(), None);
     }
 }

@@ -65,8 +65,8 @@ impl Scene {
     }
 
     /// An interference so small that it is probably in metres.
-    fn interference_in_metres(&self) -> Option<String> {
-        let interference = self.loading.interference;
+    pub(super) fn interference_in_metres(&self) -> Option<String> {
+        let Loading { interference, load: None, .. } = self.loading else { return None };
         let body = self.with_combined_modulus().material.elastic_plastic();
         let critical = body.critical_interference(self.radius);
         let written = interference / critical;
