@@ -9,7 +9,7 @@ use super::{alone, done, folder_with};
 #[test]
 fn threads_change_no_number() {
     let _alone = alone();
-    for (interference, accuracy, sectors) in [(0.05, 0.015, 8), (5.0, 0.5, 4)] {
+    for (interference, accuracy, sectors) in [(0.05, 0.02, 8), (5.0, 0.5, 4)] {
         let run = |threads: usize| -> Value {
             let sections = format!(
                 "[loading]\nslip_rate = 1\ninterference = {interference}\nslip_distance = 0.3\n\
