@@ -1,6 +1,6 @@
 //! Interference of a prescribed load: that whose press has the load on the mesh of the main run.
 
-use tables::numbers::rounded;
+use tables::numbers::{plain, rounded};
 use tables::quantity::Estimate;
 
 use super::messages::Note;
@@ -45,7 +45,10 @@ pub(super) fn with_interference(
     Err(SimulationError::NotConverged {
         stage: "press",
         at: format!("interference {interference} omega_c"),
-        reason: format!("no interference has the load of {prescribed} N within {MOST_PRESSES} presses"),
+        reason: format!(
+            "no interference has the load of {} N within {MOST_PRESSES} presses",
+            plain(prescribed)
+        ),
         partial: None,
     })
 }
@@ -61,7 +64,7 @@ fn load_of(scene: &Scene, watch: &dyn Watch) -> Result<Estimate, SimulationError
 fn of_load(error: SimulationError, load: f64) -> SimulationError {
     match error {
         SimulationError::Unsupported(reason) => {
-            SimulationError::Unsupported(format!("loading.load = {load} N: {reason}"))
+            SimulationError::Unsupported(format!("loading.load = {} N: {reason}", plain(load)))
         }
         error => error,
     }
@@ -113,6 +116,6 @@ mod tests {
     #[test]
     fn a_load_beyond_the_hemisphere_is_refused() {
         let error = simulate(&scene("load = 1e6", "0.2"), &Unwatched).unwrap_err().to_string();
-        assert!(error.contains("loading.load = 1000000 N") && error.contains("goes to about"), "{error}");
+        assert!(error.contains("loading.load = 1e6 N") && error.contains("goes to about"), "{error}");
     }
 }

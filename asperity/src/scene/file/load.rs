@@ -49,15 +49,6 @@ pub fn expected_interference(scene: &Scene, load: f64) -> f64 {
     10f64.powf(below)
 }
 
-/// Removes from a written scene what its load determines.
-pub fn leave_to_load(sections: &mut Table) {
-    if let Some(Value::Table(loading)) = sections.get_mut("loading")
-        && loading.contains_key("load")
-    {
-        loading.remove(BY_LOAD);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -110,5 +101,6 @@ mod tests {
         let load = 4.0 / 3.0 * body.contact_modulus() * scene.radius.sqrt() * interference.powf(1.5);
         assert!((load / 1e-8 - 1.0).abs() < 1e-9, "{load}");
         assert_eq!(scene.interference_in_metres(), None);
+        assert_eq!(scene.implausible(), Vec::<String>::new());
     }
 }

@@ -82,10 +82,9 @@ pub fn write_scene(scene: &Scene) -> String {
     if scene.loading.steps.is_empty() && scene.loading.load.is_none() {
         return toml::to_string(scene).expect(PLAIN);
     }
-    let mut sections = Table::try_from(scene).expect(PLAIN);
+    let mut sections = scene.document();
     if !scene.loading.steps.is_empty() {
         programme::leave_to_programme(&mut sections);
     }
-    load::leave_to_load(&mut sections);
     toml::to_string(&sections).expect(PLAIN)
 }

@@ -39,15 +39,25 @@ const OPTIONAL: [&str; 9] = [
 ];
 
 impl Scene {
+    /// Its sections as in a file: without the interference that follows from a load.
+    pub(super) fn document(&self) -> Table {
+        let mut sections = Table::try_from(self).expect("a scene is plain data");
+        if self.loading.load.is_some()
+            && let Some(Value::Table(loading)) = sections.get_mut("loading")
+        {
+            loading.remove("interference");
+        }
+        sections
+    }
+
     /// Warnings, a sentence each.
     pub fn remarks(&self) -> Vec<String> {
-        let document = Table::try_from(self).expect("a scene is plain data");
-        self.remarks_with(&document)
+        self.remarks_with(&self.document())
     }
 
     /// Those of values that are probably in another unit.
     pub fn implausible(&self) -> Vec<String> {
-        plausible::remarks(&Table::try_from(self).expect("a scene is plain data"))
+        plausible::remarks(&self.document())
     }
 
     /// All, with the implausible values of a document made from the scene.
