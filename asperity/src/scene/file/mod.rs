@@ -30,8 +30,6 @@ pub use error::SceneFileError;
 pub use keys::key_names;
 pub use request::{Request, parse_request, read_request, write_request};
 
-use toml::Table;
-
 use crate::scene::Scene;
 use document::Document;
 pub(in crate::scene) use source::is_within;
