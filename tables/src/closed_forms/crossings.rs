@@ -1,10 +1,14 @@
 //! Interferences at which a quantity takes a value.
 
+use crate::functions::bisect;
+
 /// Interferences, in ω_c, between which they are looked for.
 const LOWEST: f64 = 1e-9;
 const HIGHEST: f64 = 1e6;
+/// To the rounding of a logarithm.
+const HALVINGS: usize = 55;
 
-/// Interferences at which the positive `quantity` equals `value`, between `breaks` at which it may
+/// Interferences at which `quantity` equals `value`, between `breaks` at which it may
 /// jump; `steps` is the number of intervals between breaks that are searched for a change of sign.
 pub(super) fn where_equal(
     quantity: impl Fn(f64) -> f64,
@@ -12,7 +16,7 @@ pub(super) fn where_equal(
     breaks: &[f64],
     steps: usize,
 ) -> Vec<f64> {
-    let excess = |ln_interference: f64| (quantity(ln_interference.exp()) / value).ln();
+    let exceeds = |logarithm: f64| quantity(logarithm.exp()) > value;
     let mut ends = vec![LOWEST.ln()];
     ends.extend(breaks.iter().map(|place| place.ln()));
     ends.push(HIGHEST.ln());
@@ -21,44 +25,13 @@ pub(super) fn where_equal(
         // A law that jumps at a break has there the value of one side.
         let (from, to) = (piece[0] + 1e-9, piece[1] - 1e-9);
         let place = |i: usize| from + (to - from) * i as f64 / steps as f64;
-        let mut low = (place(0), excess(place(0)));
-        for i in 1..=steps {
-            let high = (place(i), excess(place(i)));
-            if (low.1 > 0.0) != (high.1 > 0.0) {
-                found.push(sign_change(excess, low, high).exp());
-            }
-            low = high;
+        let changes = (0..steps).map(|i| [place(i), place(i + 1)]);
+        for [low, high] in changes.filter(|piece| exceeds(piece[0]) != exceeds(piece[1])) {
+            let [low, high] = bisect([low, high], HALVINGS, |middle| exceeds(middle) == exceeds(low));
+            found.push((0.5 * (low + high)).exp());
         }
     }
     found
-}
-
-/// Where a function changes its sign between two places with its values there: regula falsi with
-/// the weight of the end that stays halved.
-fn sign_change(function: impl Fn(f64) -> f64, mut low: (f64, f64), mut high: (f64, f64)) -> f64 {
-    let (mut weight_low, mut weight_high) = (low.1, high.1);
-    for _ in 0..100 {
-        if high.0 - low.0 <= 1e-13 * high.0.abs().max(1.0) {
-            break;
-        }
-        let secant = low.0 + (high.0 - low.0) * weight_low / (weight_low - weight_high);
-        // The logarithm of 0 is infinite.
-        let next = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };
-        let value = function(next);
-        if value == 0.0 {
-            return next;
-        }
-        if (value > 0.0) == (low.1 > 0.0) {
-            low = (next, value);
-            weight_low = value;
-            weight_high *= 0.5;
-        } else {
-            high = (next, value);
-            weight_high = value;
-            weight_low *= 0.5;
-        }
-    }
-    0.5 * (low.0 + high.0)
 }
 
 #[cfg(test)]
