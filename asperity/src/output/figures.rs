@@ -180,7 +180,7 @@ fn onset(outcome: &Outcome) -> Panel {
         let values = outcome.slide.column(quantity).iter().map(|value| value / scale).collect();
         Curve::new(name, slips(outcome), values)
     };
-    let peak = outcome.scalars[Quantity::MuPeak].value;
+    let peak = outcome.slide.column(Quantity::Mu).iter().fold(0.0, |most: f64, mu| most.max(mu.abs()));
     let curves = vec![
         curve("stick area fraction", Quantity::StickFraction, 1.0),
         curve("μ over its peak", Quantity::Mu, if peak > 0.0 { peak } else { f64::NAN }),

@@ -121,7 +121,7 @@ fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Resu
         let ancillary = format!("{error_name} {by_source}");
         let origin = match quantity {
             Quantity::MuSteady => {
-                "of the slide, or of its continuation, see notes; extrapolated with 1/sqrt(slip)"
+                "of the slide, or of its continuation, see notes; extrapolated with 1/sqrt(slip) and corrected as mu is"
             }
             quantity if is_corrected(quantity, outcome.inception, &scene.interface.law) => {
                 "of the finest mesh, corrected for its mean discretisation error"

@@ -5,6 +5,7 @@ use tables::quantity::{History, Quantity, Scalars, State};
 use crate::loading::inception::inception_at;
 use crate::loading::state::SlideState;
 use crate::scene::Scene;
+use crate::simulate::accuracy::error_budget::CONTROLLED;
 
 pub use crate::interface::contact::Status as ContactStatus;
 pub use crate::loading::body_fields::{BodyFields, BodySnapshot};
@@ -14,16 +15,12 @@ pub use crate::simulate::accuracy::error_budget::{ErrorBudget, ErrorSource};
 pub use crate::simulate::messages::{Note, Warning};
 pub use crate::solver::timings::{Kernel, Timings};
 
-/// Quantities by which a run is judged: the others follow from them, or are of the press alone.
-pub const MAIN: [Quantity; 7] = [
-    Quantity::Mu,
-    Quantity::MuStatic,
-    Quantity::Friction,
-    Quantity::Load,
-    Quantity::Area,
-    Quantity::EnergyRelease,
-    Quantity::TemperatureMax,
-];
+/// Quantities by which a run is judged: those that the accuracy controls and the temperature; the others follow from them, or
+/// are of the press alone.
+pub const MAIN: [Quantity; 7] = {
+    let [mu, mu_static, friction, load, area, energy] = CONTROLLED;
+    [mu, mu_static, friction, load, area, energy, Quantity::TemperatureMax]
+};
 
 /// Grid of the snapshots.
 #[derive(Clone, Debug, Default, PartialEq)]

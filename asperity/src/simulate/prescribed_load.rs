@@ -1,7 +1,6 @@
 //! Interference of a prescribed load: that whose press has the load on the mesh of the main run.
 
 use tables::numbers::{plain, rounded};
-use tables::quantity::Estimate;
 
 use super::messages::Note;
 use super::pressed::press;
@@ -33,10 +32,10 @@ pub(super) fn with_interference(
     for _ in 0..MOST_PRESSES {
         let found = pressed_to(interference);
         let load = load_of(&found, watch).map_err(|error| of_load(error, prescribed))?;
-        if (load.value / prescribed - 1.0).abs() < CLOSE {
+        if (load / prescribed - 1.0).abs() < CLOSE {
             return Ok((found, Note::OfLoad { prescribed, interference }));
         }
-        let here = [interference.ln(), load.value.ln()];
+        let here = [interference.ln(), load.ln()];
         let slope = before.map_or(FIRST_SLOPE, |[omega, load]| (here[1] - load) / (here[0] - omega));
         let step = (prescribed.ln() - here[1]) / slope.clamp(SLOPES[0], SLOPES[1]);
         before = Some(here);
@@ -53,11 +52,11 @@ pub(super) fn with_interference(
     })
 }
 
-/// P at the end of a press, N.
-fn load_of(scene: &Scene, watch: &dyn Watch) -> Result<Estimate, SimulationError> {
+/// P at the end of a press as the slide reports it, N.
+fn load_of(scene: &Scene, watch: &dyn Watch) -> Result<f64, SimulationError> {
     // The length of a slide does not matter here.
     let loading = Loading { slip_distance: 0.0, ..scene.loading.clone() };
-    Ok(press(&Scene { loading, ..scene.clone() }, watch)?.contact().load)
+    Ok(press(&Scene { loading, ..scene.clone() }, watch)?.reported_load())
 }
 
 /// The refusal of an interference, in terms of the load.
@@ -92,7 +91,7 @@ mod tests {
         for prescribed in [1e-3, 0.3, 7.0, 80.0] {
             let (found, note) =
                 with_interference(&scene("interference = 1", "0"), prescribed, &Unwatched).unwrap();
-            let load = load_of(&found, &Unwatched).unwrap().value;
+            let load = load_of(&found, &Unwatched).unwrap();
             assert!((load / prescribed - 1.0).abs() < CLOSE, "{prescribed}: {load}, {note}");
         }
     }

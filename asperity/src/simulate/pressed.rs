@@ -14,10 +14,12 @@ use super::{SimulationError, Watch, in_pool};
 use crate::discretisation::body::{Body, MeanStress};
 use crate::discretisation::mesh::MeshSize;
 use crate::interface::contact::Contact;
+use crate::loading::inception::InceptionCriterion;
 use crate::loading::press::{self, Increment, PressFailure};
 use crate::loading::problem::Problem;
 use crate::loading::recording::Recording;
 use crate::scene::{Kinematics, Numerics, Scene};
+use crate::simulate::accuracy::correction::Correction;
 use crate::simulate::accuracy::error_budget;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::accuracy::scatter::scatter;
@@ -199,7 +201,7 @@ fn peak_pressure(contact: &Contact) -> f64 {
 }
 
 impl Pressed {
-    /// The contact, with errors as those of runs.
+    /// The contact on the mesh of the main run, with errors as those of runs and without the correction of mean errors.
     pub fn contact(&self) -> PressedContact {
         let [coarse, fine, longer] = &self.meshes[..PRESSES] else { unreachable!("made by `press`") };
         let (run, coarser) = (&self.resolution, &self.resolution.coarse());
@@ -216,6 +218,17 @@ impl Pressed {
             peak_pressure: estimate(Quantity::LoadPress, units.stress, peak_pressure),
             plastic_strain_max: fine.body.committed.largest_plastic_strain(),
         }
+    }
+
+    /// P as runs report it, N.
+    pub(super) fn reported_load(&self) -> f64 {
+        let correction = Correction {
+            inception: InceptionCriterion::None,
+            law: &self.scene.interface.law,
+            interference: self.scene.loading.interference,
+            resolution: self.resolution,
+        };
+        self.contact().load.value * correction.factor(Quantity::LoadPress)
     }
 
     /// Error of a quantity of the press, relative: that of [`Self::contact`]. None of other quantities, on meshes other than

@@ -15,8 +15,8 @@ use crate::loading::press::Increment;
 use crate::loading::problem::{Problem, wave_speed};
 use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
-use crate::scene::{FrictionLaw, InterfaceStrength, LoadingStep, Scene};
-use crate::simulate::accuracy::correction::correction;
+use crate::scene::{InterfaceStrength, LoadingStep, Scene};
+use crate::simulate::accuracy::correction::Correction;
 use crate::simulate::accuracy::error_budget::{CONTROLLED, ErrorBudget, ErrorSource};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::derived::inception_time;
@@ -200,10 +200,11 @@ fn fast_inception(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
     if run.values.inception == InceptionCriterion::None {
         return None;
     }
-    let exact = |quantity| Estimate::exact(run.values.value(quantity));
-    let (friction, radius) = (exact(Quantity::FrictionStatic), exact(Quantity::ContactRadius));
     let slip_rate = runner.conditions.programme.first()?.slip_rate();
     let Pressed { scene, problem, .. } = runner.pressed;
+    let correction = correction(scene, run);
+    let exact = |quantity| Estimate::exact(run.values.value(quantity) * correction.factor(quantity));
+    let (friction, radius) = (exact(Quantity::FrictionStatic), exact(Quantity::ContactRadius));
     // Both bodies are displaced, the wave passes the asperity.
     let faster = problem.wave_speed * problem.units.speed() / wave_speed(&scene.material);
     let time = faster * inception_time(scene, slip_rate, friction, radius)?.value;
@@ -262,15 +263,16 @@ fn outcome(
     account: Account,
 ) -> Outcome {
     let units = problem.units;
+    let correction = correction(scene, run);
     Outcome {
         interference: scene.loading.interference,
         critical_interference: problem.critical_interference * units.length,
-        scalars: scalars(run, (scene.loading.interference, &scene.interface.law), &budget),
+        scalars: scalars(run, &correction, &budget),
         inception: run.values.inception,
         steady: run.values.steady,
         budget,
-        press: press_history(problem, &run.press.increments),
-        slide: slide_history(problem, programme, &run.history),
+        press: press_history(problem, &run.press.increments, &correction),
+        slide: slide_history((problem, programme), &run.history, &correction),
         grid: ContactGrid {
             theta: run.contact.angles.clone(),
             r: run.contact.radii.iter().map(|r| r * units.length).collect(),
@@ -282,12 +284,21 @@ fn outcome(
     }
 }
 
+/// Of the values of a run.
+fn correction<'a>(scene: &'a Scene, run: &Run) -> Correction<'a> {
+    Correction {
+        inception: run.values.inception,
+        law: &scene.interface.law,
+        interference: scene.loading.interference,
+        resolution: run.resolution,
+    }
+}
+
 /// Values without their mean discretisation errors; the largest friction coefficient is at least the static one so corrected.
-fn scalars(run: &Run, (interference, law): (f64, &FrictionLaw), budget: &ErrorBudget) -> Scalars {
+fn scalars(run: &Run, correction: &Correction<'_>, budget: &ErrorBudget) -> Scalars {
     let mut scalars = Scalars::from_fn(|quantity| {
-        let inception = (run.values.inception, law);
-        let lacks = correction(quantity, inception, interference, &run.resolution);
-        Estimate { value: run.values.value(quantity) * (1.0 + lacks), error: budget.total(quantity) }
+        let value = run.values.value(quantity) * correction.factor(quantity);
+        Estimate { value, error: budget.total(quantity) }
     });
     let (peak, at_inception) = (scalars[Quantity::MuPeak], scalars[Quantity::MuStatic]);
     // Unknown stays unknown.
@@ -303,21 +314,26 @@ fn counterface_rise(run: &Run) -> Option<f64> {
     counterface.map(|half_space| half_space.highest_rise(radius))
 }
 
-fn press_history(problem: &Problem, increments: &[Increment]) -> History {
+fn press_history(problem: &Problem, increments: &[Increment], correction: &Correction<'_>) -> History {
     let units = problem.units;
     let mut history = History::new(&Quantity::PRESS_HISTORIES);
     for increment in increments {
-        history.push(|quantity| match quantity {
+        let of_run = |quantity| match quantity {
             Quantity::InterferencePress => increment.interference / problem.critical_interference,
             Quantity::LoadPress => increment.load * units.force(),
             Quantity::AreaPress => increment.area * units.area(),
             _ => f64::NAN,
-        });
+        };
+        history.push(|quantity| correction.factor(quantity) * of_run(quantity));
     }
     history
 }
 
-fn slide_history(problem: &Problem, programme: &[LoadingStep], states: &[SlideState]) -> History {
+fn slide_history(
+    (problem, programme): (&Problem, &[LoadingStep]),
+    states: &[SlideState],
+    correction: &Correction<'_>,
+) -> History {
     let units = problem.units;
     // Work and heat are of the half body.
     let energy = |x: f64| 2.0 * x * units.energy();
@@ -326,7 +342,7 @@ fn slide_history(problem: &Problem, programme: &[LoadingStep], states: &[SlideSt
     for i in states {
         path += (i.slip - before).abs();
         before = i.slip;
-        history.push(|quantity| match quantity {
+        let of_run = |quantity| match quantity {
             Quantity::Slip => i.slip * units.length,
             Quantity::SlipAccumulated => path * units.length,
             Quantity::Interference => i.interference / problem.critical_interference,
@@ -354,7 +370,14 @@ fn slide_history(problem: &Problem, programme: &[LoadingStep], states: &[SlideSt
             Quantity::HeatCounterface => energy(i.heat_counterface),
             Quantity::HeatPartition => i.heat_partition,
             _ => f64::NAN,
-        });
+        };
+        // The first state is that of the press, with its area.
+        let is_pressed = history.is_empty();
+        let factor = |quantity| match quantity {
+            Quantity::Area if is_pressed => correction.factor(Quantity::AreaPress),
+            quantity => correction.factor(quantity),
+        };
+        history.push(|quantity| factor(quantity) * of_run(quantity));
     }
     history
 }

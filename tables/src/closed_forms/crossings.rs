@@ -25,10 +25,14 @@ pub(super) fn where_equal(
         // A law that jumps at a break has there the value of one side.
         let (from, to) = (piece[0] + 1e-9, piece[1] - 1e-9);
         let place = |i: usize| from + (to - from) * i as f64 / steps as f64;
-        let changes = (0..steps).map(|i| [place(i), place(i + 1)]);
-        for [low, high] in changes.filter(|piece| exceeds(piece[0]) != exceeds(piece[1])) {
-            let [low, high] = bisect([low, high], HALVINGS, |middle| exceeds(middle) == exceeds(low));
-            found.push((0.5 * (low + high)).exp());
+        let mut low = place(0);
+        for high in (1..=steps).map(place) {
+            let at_low = exceeds(low);
+            if at_low != exceeds(high) {
+                let [before, after] = bisect([low, high], HALVINGS, |middle| exceeds(middle) == at_low);
+                found.push((0.5 * (before + after)).exp());
+            }
+            low = high;
         }
     }
     found

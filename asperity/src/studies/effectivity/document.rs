@@ -12,7 +12,8 @@ const AS_IN_TABLES: &str = "\
 Slides by 20 contact radii (titanium 10) against a rigid body of the same metal that conducts heat, R = 1 mm. A third of the\n\
 scenes of metals with published constants have their rate law, a fifth hold the load. Quantities that a run does not determine are left out (–). Of `mu_steady`, whose slide goes on, and\n\
 `G_weakening`, which is close to 0 at low slip rates, nothing is said. The first half is used for constants of static friction,\n\
-load and slip at inception above 1 ω_c, the 33 scenes above 10 ω_c for the corrections of `G`, `inception_slip` and `mu_static`.";
+load and slip at inception above 1 ω_c and for the corrections of load and area, the 33 scenes above 10 ω_c for those of `G`,\n\
+`inception_slip` and `mu_static`.";
 
 /// What was found, over quantities and over scenes.
 pub fn markdown(report: &Report) -> String {
