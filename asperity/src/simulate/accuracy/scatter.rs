@@ -6,8 +6,8 @@ use tables::functions::interpolate;
 use tables::quantity::Quantity;
 
 use crate::scene::fitted_constants::error_estimates::{
-    AREA_OF_PRESS, ELEMENTS, ENERGY, ENERGY_OF_WEAKENING, FRICTION, HIGHEST_RISE, INCEPTION_SLIP,
-    INTERFERENCES, LOAD, LOAD_OF_PRESS, MEAN_RISE, STATIC_FRICTION,
+    AREA_OF_PRESS, DEEP_INCEPTION, ELEMENTS, ENERGY, ENERGY_OF_WEAKENING, FRICTION, HIGHEST_RISE,
+    INCEPTION_SLIP, INTERFERENCES, LOAD, LOAD_OF_PRESS, MEAN_RISE, STATIC_FRICTION,
 };
 
 /// Relative standard uncertainty of a quantity by the mesh, at ω₀/ω_c and n_c.
@@ -33,6 +33,17 @@ pub fn scatter(quantity: Quantity, interference: f64, elements_per_radius: usize
     share * logarithm.exp() * ELEMENTS / elements_per_radius as f64
 }
 
+/// Relative standard uncertainty of sliding inception in deep contacts, at ω₀/ω_c: what the mean errors of `correction` leave.
+/// The asperity sinks and its contact grows while the slip begins; a finer mesh is not known to reduce it.
+pub fn of_deep_inception(quantity: Quantity, interference: f64) -> f64 {
+    match quantity {
+        Quantity::EnergyRelease | Quantity::InceptionSlip => {
+            interpolate(&INTERFERENCES.map(f64::ln), &DEEP_INCEPTION, interference.ln()).0
+        }
+        _ => 0.0,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -45,5 +56,14 @@ mod tests {
         }
         let between = scatter(Quantity::ContactRadius, 10f64.sqrt(), 10);
         assert!((between / (0.5 * (AREA_OF_PRESS[1] * AREA_OF_PRESS[2]).sqrt()) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn deep_inception_is_uncertain_on_any_mesh() {
+        for quantity in [Quantity::EnergyRelease, Quantity::InceptionSlip] {
+            assert_eq!(of_deep_inception(quantity, 100.0), 0.0);
+            assert!((of_deep_inception(quantity, 1e3) / (0.5 * DEEP_INCEPTION[4]) - 1.0).abs() < 1e-12);
+        }
+        assert_eq!(of_deep_inception(Quantity::Mu, 1e3), 0.0);
     }
 }

@@ -19,7 +19,7 @@ use crate::scene::Numerics;
 use crate::scene::fitted_constants::error_estimates::ORDER;
 use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::{MOST_OF_STEPS, RelativeParts, Resolution};
-use crate::simulate::accuracy::scatter::scatter;
+use crate::simulate::accuracy::scatter::{of_deep_inception, scatter};
 use crate::simulate::values::Values;
 
 /// Where an error comes from.
@@ -64,8 +64,8 @@ const QUANTITIES: usize = Quantity::SCALARS.len();
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorBudget {
     parts: [[f64; QUANTITIES]; 5],
-    /// By the width of the inception bracket, by the threshold of the stiffness, and of the steady value by the length of
-    /// the slide: with the increments.
+    /// By the width of the inception bracket, by the threshold of the stiffness, of inception in deep contacts, and of the
+    /// steady value by the length of the slide: with the increments.
     brackets: [f64; QUANTITIES],
 }
 
@@ -150,7 +150,10 @@ impl ErrorBudget {
             let scatter = scatter(quantity, interference, elements) * fine.magnitude(quantity);
             mesh_uncertainty(pair, refinement, scatter)
         });
-        self.brackets = Quantity::SCALARS.map(|quantity| OF_BOUND * fine.bracket(quantity));
+        self.brackets = Quantity::SCALARS.map(|quantity| {
+            let deep = of_deep_inception(quantity, interference) * fine.magnitude(quantity);
+            (OF_BOUND * fine.bracket(quantity)).hypot(deep)
+        });
     }
 
     /// After a refinement: second order in θ at least, and first in the elements; first in the increments.
