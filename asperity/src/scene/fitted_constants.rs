@@ -75,7 +75,7 @@ pub(crate) mod sliding_inception {
 ///   6 elements, +1.0 % at 3000 ω_c with 10.
 /// - Static friction, load and slip at inception above 1 ω_c: the first 31 scenes as in the shipped tables. In the 33 others the
 ///   errors with these constants cover 32, 31 and 29 true errors.
-/// - Friction, static friction and `G` at 0.1 ω_c, friction at 10 and 100 ω_c, load from 100 ω_c on: what the corrections leave in the 103
+/// - Friction, static friction and `G` at 0.1 ω_c, friction at 10 and 100 ω_c, `G` at 10 and load at 100 ω_c: what the corrections leave in the 103
 ///   scenes that those of load and area are fitted to. [`error_estimates::DEEP_INCEPTION`]: what they leave of `G` and the slip at inception in the 33 scenes as
 ///   in the tables, see the residuals of [`mean_errors`]; where the load is held it is more.
 pub(crate) mod error_estimates {
@@ -106,7 +106,7 @@ pub(crate) mod error_estimates {
 ///
 /// - Fitted: what a value on [`error_estimates::ELEMENTS`] elements per contact radius with [`SECTORS`] angles lacks, relative to it,
 ///   at [`error_estimates::INTERFERENCES`], linear in their logarithm; by least squares in which outliers count less, rounded. Of order
-///   1.5 in the elements and 2 in the angles. Friction and area up to 1 ω_c have no entry: there they are 0.2 to 0.4 % too large in sliding,
+///   1.5 in the elements and 2 in the angles. Friction and area up to 1 ω_c have no entry: there they are 0.2 to 0.7 % too large in sliding,
 ///   not in elastic contact before it (closed forms).
 /// - Data: the effects of three times the elements and four times the angles on the first 149 scenes of
 ///   `studies::effectivity` but for the carbon steel, above 10 ω_c on its 33 scenes as in the shipped tables. Load (at the ends of

@@ -106,7 +106,7 @@ impl Outcome {
     /// Q/P of the largest friction until the tangential stiffness dQ/ds has fallen to `share` of its first value, or the last
     /// contact point begins to slip, if that is earlier; nothing if the slide ends before.
     ///
-    /// `mu_static` is that of a share of 0.01. Results of others in full stick have thresholds of their own.
+    /// Where the stiffness decides, `mu_static` is that of a share of 0.01. Results of others in full stick have thresholds of their own.
     pub fn friction_at_stiffness(&self, share: f64) -> Option<f64> {
         let state = |state: State<'_>| SlideState {
             slip: state[Quantity::Slip],

@@ -177,7 +177,7 @@ impl PressedMesh {
 /// The contact at the end of the press, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PressedContact {
-    /// P, N.
+    /// P, N; without the correction of mean errors, see [`Pressed::contact`].
     pub load: Estimate,
     /// A, m².
     pub area: Estimate,
@@ -225,6 +225,7 @@ impl Pressed {
         let correction = Correction {
             inception: InceptionCriterion::None,
             law: &self.scene.interface.law,
+            has_slid: false,
             interference: self.scene.loading.interference,
             resolution: self.resolution,
         };

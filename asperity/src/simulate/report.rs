@@ -180,8 +180,8 @@ fn warning_of_errors(budget: &ErrorBudget, run: &Run, accuracy: f64) -> Vec<Warn
     errors.sort_by(|a, b| over(b.0, b.1).total_cmp(&over(a.0, a.1)));
     let above = errors.into_iter().filter(|(quantity, error)| over(*quantity, *error) > accuracy);
     let warning = |(quantity, error): (Quantity, f64)| {
-        let model = budget.part(ErrorSource::Model, quantity) / run.values.value(quantity).abs();
-        Warning::of_error(quantity, [error, model], quantity.allowance(), accuracy)
+        let lasting = budget.lasting(quantity) / run.values.value(quantity).abs();
+        Warning::of_error(quantity, [error, lasting], quantity.allowance(), accuracy)
     };
     let (undetermined, inexact): (Vec<_>, Vec<_>) =
         above.map(warning).partition(|warning| matches!(warning, Warning::ErrorAboveValue { .. }));
@@ -264,6 +264,7 @@ fn outcome(
 ) -> Outcome {
     let units = problem.units;
     let correction = correction(scene, run);
+    let budget = budget.scaled(|quantity| correction.factor(quantity));
     Outcome {
         interference: scene.loading.interference,
         critical_interference: problem.critical_interference * units.length,
@@ -289,6 +290,7 @@ fn correction<'a>(scene: &'a Scene, run: &Run) -> Correction<'a> {
     Correction {
         inception: run.values.inception,
         law: &scene.interface.law,
+        has_slid: run.history.len() > 1,
         interference: scene.loading.interference,
         resolution: run.resolution,
     }
@@ -371,13 +373,9 @@ fn slide_history(
             Quantity::HeatPartition => i.heat_partition,
             _ => f64::NAN,
         };
-        // The first state is that of the press, with its area.
-        let is_pressed = history.is_empty();
-        let factor = |quantity| match quantity {
-            Quantity::Area if is_pressed => correction.factor(Quantity::AreaPress),
-            quantity => correction.factor(quantity),
-        };
-        history.push(|quantity| factor(quantity) * of_run(quantity));
+        // The first state is that of the press.
+        let of_state = Correction { has_slid: !history.is_empty(), ..*correction };
+        history.push(|quantity| of_state.factor(quantity) * of_run(quantity));
     }
     history
 }

@@ -76,7 +76,10 @@ fn what_did_not_happen_has_no_numbers() {
     }
     let load = pressed.scalars[Quantity::LoadPress];
     assert!(load.value > 0.0 && load.error < 0.1 * load.value && !pressed.steady);
-    assert!((pressed.scalars[Quantity::Load].value / load.value - 1.0).abs() < 1e-12);
+    for pair in [[Quantity::Load, Quantity::LoadPress], [Quantity::Area, Quantity::AreaPress]] {
+        let [end, press] = pair.map(|quantity| pressed.scalars[quantity].value);
+        assert!((end / press - 1.0).abs() < 1e-12, "{pair:?}");
+    }
     scene.loading.slip_distance = 1e-3;
     let short = simulate(&scene, &Unwatched).unwrap();
     let named = |scene: &Scene, outcome: &Outcome| {

@@ -6,20 +6,21 @@ use tables::quantity::Quantity;
 /// Limitations of the results.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Warning {
-    /// Relative error of a quantity above its multiple (`times`) of the accuracy of the scene; `model` is the part of the model.
+    /// Relative error of a quantity above its multiple (`times`) of the accuracy of the scene; `lasting` is the part that no finer
+    /// resolution reduces.
     #[error(
         "the estimated error of {} is {} %, above {}the accuracy of {} %{}",
         .quantity.descriptor().name,
         beside(100.0 * .error, .times * rounded(100.0 * .accuracy, 3), 2),
         if *.times == 1.0 { String::new() } else { format!("{} times ", .times) },
         plain(rounded(100.0 * .accuracy, 3)),
-        if *.model > .times * .accuracy {
-            format!(": {} % are of the model, which no finer resolution reduces", plain(rounded(100.0 * .model, 2)))
+        if *.lasting > .times * .accuracy {
+            format!(": a finer resolution leaves {} %", plain(rounded(100.0 * .lasting, 2)))
         } else {
             String::new()
         }
     )]
-    ErrorAboveAccuracy { quantity: Quantity, error: f64, model: f64, times: f64, accuracy: f64 },
+    ErrorAboveAccuracy { quantity: Quantity, error: f64, lasting: f64, times: f64, accuracy: f64 },
     /// The error of a quantity is as large as the quantity.
     #[error(
         "{} is undetermined: its estimated error is larger than its value; where the body softens or shears below the interface no mesh converges, and a smaller strength_factor or slip_distance avoids it",
@@ -122,10 +123,10 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// Of a relative error, and its part by the model, that is above `times` the accuracy.
-    pub fn of_error(quantity: Quantity, [error, model]: [f64; 2], times: f64, accuracy: f64) -> Self {
+    /// Of a relative error, and its part that no finer resolution reduces, that is above `times` the accuracy.
+    pub fn of_error(quantity: Quantity, [error, lasting]: [f64; 2], times: f64, accuracy: f64) -> Self {
         match error < 1.0 {
-            true => Self::ErrorAboveAccuracy { quantity, error, model, times, accuracy },
+            true => Self::ErrorAboveAccuracy { quantity, error, lasting, times, accuracy },
             false => Self::ErrorAboveValue { quantity },
         }
     }
@@ -161,10 +162,7 @@ mod tests {
         let closer = Warning::of_error(Quantity::Mu, [0.020004, 0.0], 1.0, 0.02).to_string();
         assert!(closer.contains("is 2.0004 %, above the accuracy of 2 %"), "{closer}");
         let of_model = Warning::of_error(Quantity::EnergyRelease, [0.21, 0.206], 2.5, 0.02).to_string();
-        assert!(
-            of_model.ends_with("of 2 %: 21 % are of the model, which no finer resolution reduces"),
-            "{of_model}"
-        );
+        assert!(of_model.ends_with("of 2 %: a finer resolution leaves 21 %"), "{of_model}");
         assert!(text(1.5, 5.0).starts_with("G is undetermined: its estimated error is larger than"));
     }
 }

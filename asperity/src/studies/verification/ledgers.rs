@@ -154,16 +154,16 @@ fn softening_interfaces(watch: &dyn Watch) -> Rows {
         cap: true,
     })?;
     let (scene_of_coulomb, coulomb) = slide(FrictionLaw::Coulomb { friction: 0.3, cap: true })?;
-    let over = |quantity: Quantity| film.scalars[quantity].value / metal.scalars[quantity].value;
+    // Of the mesh: forces and areas of the metal are corrected for their mean errors, those of films are not.
+    let over = |quantity: Quantity| last(&film)[quantity] / last(&metal)[quantity];
     let same = |name: &str, ratio: f64| {
         let reference = Reference::exact(1.0, "both interfaces are the strength of the metal");
         Row::new(name, ratio, reference, Tolerance::relative(1e-6, "tolerance of the solver"))
     };
     Ok(vec![
-        // Forces and areas of the metal are corrected for their mean errors, those of films are not.
         same(
-            "Q/A of a strong film with the limit of the metal, over that of the metal",
-            over(Quantity::Friction) / over(Quantity::Area),
+            "friction work of a strong film with the limit of the metal, over that of the metal",
+            over(Quantity::DissipationFriction),
         ),
         same("mean temperature of it, over that of the metal", over(Quantity::TemperatureMean)),
         generated("heat in over the heat generated, capped film at 100 m/s", &scene_of_film, &film, 0.02),

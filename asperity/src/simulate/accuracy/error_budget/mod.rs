@@ -193,6 +193,21 @@ impl ErrorBudget {
         COVERAGE_FACTOR * self.parts[source as usize][quantity as usize].hypot(bracket)
     }
 
+    /// What no finer resolution reduces, of the reported error.
+    pub fn lasting(&self, quantity: Quantity) -> f64 {
+        let model = self.parts[ErrorSource::Model as usize][quantity as usize];
+        COVERAGE_FACTOR * model.hypot(self.brackets[quantity as usize])
+    }
+
+    /// Of values multiplied by a factor.
+    pub fn scaled(mut self, factor: impl Fn(Quantity) -> f64) -> Self {
+        for quantity in Quantity::SCALARS {
+            let parts = self.parts.iter_mut().chain([&mut self.brackets]);
+            parts.for_each(|part| part[quantity as usize] *= factor(quantity));
+        }
+        self
+    }
+
     /// The reported error: the half-width of a 95 % interval.
     pub fn total(&self, quantity: Quantity) -> f64 {
         let parts = ErrorSource::ALL.map(|source| self.part(source, quantity));

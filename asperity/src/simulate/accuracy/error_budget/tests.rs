@@ -1,4 +1,5 @@
 use super::*;
+use crate::scene::fitted_constants::error_estimates::DEEP_INCEPTION;
 use crate::scene::fitted_constants::localised_shear;
 
 fn numerics() -> Numerics {
@@ -117,6 +118,48 @@ fn meshes_that_agree_leave_the_scatter() {
         let of = |quantity| budget.relative(quantity, &values) / quantity.allowance();
         assert!(CONTROLLED.iter().all(|&quantity| of(quantity) <= of(worst)));
         assert!((parts.total() / of(worst) - 1.0).abs() < 1e-12);
+    }
+}
+
+/// Sliding inception of a deep contact is uncertain on any mesh, and that asks for no refinement.
+#[test]
+fn deep_inception_is_no_reason_for_a_finer_mesh() {
+    let start = Resolution::choose(&numerics());
+    let values = Values::all(2.0);
+    let of = |elements: usize| {
+        let run = Resolution { elements_per_radius: elements, ..start };
+        let coarser = run.coarse();
+        let pair = [&run, &coarser].map(|resolution| RunValues { resolution, values: &values });
+        let [coarse, other_sectors, longer_steps] = [&values; 3];
+        let auxiliary = AuxiliaryValues { coarse, other_sectors, longer_steps, looser_solver: None };
+        estimate(&run, auxiliary, pair, &ModellingError::default(), 1000.0)
+    };
+    let exact = COVERAGE_FACTOR * 0.5 * DEEP_INCEPTION[4] * 2.0;
+    for elements in [10, 40] {
+        let budget = of(elements);
+        for found in [
+            budget.part(ErrorSource::Steps, Quantity::EnergyRelease),
+            budget.lasting(Quantity::EnergyRelease),
+        ] {
+            assert!((found / exact - 1.0).abs() < 1e-12, "{found}");
+        }
+        assert_eq!(budget.lasting(Quantity::Mu), 0.0);
+        assert_eq!(budget.worst(&values).1.steps, 0.0);
+    }
+}
+
+/// The error of a corrected value is as large relative to it.
+#[test]
+fn errors_are_scaled_as_values_are() {
+    let mut budget = ErrorBudget::default();
+    budget.parts[ErrorSource::Mesh as usize] = [0.3; QUANTITIES];
+    budget.brackets = [0.4; QUANTITIES];
+    let factor = |quantity| if quantity == Quantity::Load { 2.0 } else { 1.0 };
+    let scaled = budget.clone().scaled(factor);
+    for quantity in [Quantity::Load, Quantity::Mu] {
+        assert!((scaled.total(quantity) / budget.total(quantity) - factor(quantity)).abs() < 1e-12);
+        let steps = scaled.part(ErrorSource::Steps, quantity);
+        assert!((steps - COVERAGE_FACTOR * 0.4 * factor(quantity)).abs() < 1e-12);
     }
 }
 
