@@ -126,7 +126,7 @@ pub(crate) mod error_estimates {
 ///   | 100 to 300 | 5.6 | 2.3 | 5.1 | 2.1 | 1.3 | 0.7 |
 ///   | 300 to 6700 | 24 | 19 | 20 | 15 | 5.2 | 3.7 |
 ///
-///   The same of those 103 scenes, in brackets of 33 others, 29 of them as in the tables:
+///   The same of those 103 scenes, in brackets of the 33 others as in the tables without 304 steel at 0.41 ω_c with its rate law:
 ///
 ///   | interferences | `P` before | after | `Q` before | after | `mu` before | after |
 ///   |---|---|---|---|---|---|---|
