@@ -75,9 +75,10 @@ pub(crate) mod sliding_inception {
 ///   6 elements, +1.0 % at 3000 ω_c with 10.
 /// - Static friction, load and slip at inception above 1 ω_c: the first 31 scenes as in the shipped tables. In the 33 others the
 ///   errors with these constants cover 32, 31 and 29 true errors.
-/// - Friction, static friction and `G` at 0.1 ω_c, friction at 10 and 100 ω_c, `G` at 10 and load at 100 ω_c: what the corrections leave in the 103
-///   scenes that those of load and area are fitted to. [`error_estimates::DEEP_INCEPTION`]: what they leave of `G` and the slip at inception in the 33 scenes as
-///   in the tables, see the residuals of [`mean_errors`]; where the load is held it is more.
+/// - Friction, static friction and `G` at 0.1 ω_c, friction at 10 and 100 ω_c, `G` at 10 and load at 100 ω_c: what the corrections
+///   leave in the 103 scenes that those of load and area are fitted to. [`error_estimates::DEEP_INCEPTION`]: what they leave of `G`
+///   and the slip at inception in the 33 scenes as in the tables, see the residuals of [`mean_errors`]; where the load is held it is
+///   more.
 pub(crate) mod error_estimates {
     /// Of the square-root edge of the pressure.
     pub const ORDER: f64 = 1.5;
