@@ -1,7 +1,13 @@
 //! A scene at another initial temperature is the same body.
 
 use super::*;
-use crate::scene::file::parse_scene;
+use crate::scene::file::{parse_scene, write_scene};
+
+/// The scene of a text with other values by key, or the message.
+pub(crate) fn parse(text: &str, changes: &[&str]) -> Result<Scene, String> {
+    let changes: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
+    parse_scene(text, "scene.toml", &changes).map_err(|error| error.to_string())
+}
 
 /// A shipped material on a sphere of 1 mm at 20 ω_c and 1 m/s, with other values by key.
 pub(crate) fn of_preset(preset: &str, changes: &[&str]) -> Scene {
@@ -9,8 +15,14 @@ pub(crate) fn of_preset(preset: &str, changes: &[&str]) -> Scene {
         "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n\
          [loading]\ninterference = 20\nslip_rate = 1\n"
     );
-    let changes: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
-    parse_scene(&text, "this test", &changes).unwrap()
+    parse(&text, changes).unwrap()
+}
+
+/// That a scene, written and read, is the same; returns the text.
+pub(crate) fn assert_written_is_read(scene: &Scene) -> String {
+    let text = write_scene(scene);
+    assert_eq!(parse(&text, &[]).as_ref(), Ok(scene), "{text}");
+    text
 }
 
 /// At 300 K, with properties over temperature.
@@ -20,7 +32,7 @@ fn scene(softening: &str, hardening: &str) -> Scene {
          hardening = {{ {hardening} }}\n[asperity]\nradius = 1e-3\n\
          [loading]\ninterference = 5\nslip_rate = 1\ntemperature = 300\n"
     );
-    parse_scene(&text, "scene", &[]).unwrap()
+    parse(&text, &[]).unwrap()
 }
 
 const SOFTENINGS: [&str; 4] = [

@@ -99,8 +99,7 @@ fn may_shear_without_limit(scene: &Scene) -> bool {
 mod tests {
     use super::*;
     use crate::scene::Numerics;
-    use crate::scene::file::parse_scene;
-    use crate::scene::tests::of_preset;
+    use crate::scene::tests::{of_preset, parse};
 
     /// Preset, ω₀/ω_c, V in m/s, accuracy, and processor time in s.
     const MEASURED: [(&str, f64, f64, f64, f64); 39] = [
@@ -207,7 +206,7 @@ mod tests {
                 "[material]\n{material}\n[asperity]\nradius = 1e-3\n[loading]\n\
                  interference = {interference:?}\nslip_rate = {slip_rate:?}\n[numerics]\naccuracy = {accuracy:?}\n"
             );
-            assert_expected(&parse_scene(&text, "this test", &[]).unwrap(), seconds);
+            assert_expected(&parse(&text, &[]).unwrap(), seconds);
         }
     }
 
@@ -267,9 +266,8 @@ mod tests {
             (0.05, 50.0, &CONSTANT, 2.9),
         ] {
             let place = [format!("asperity.radius={radius}"), format!("loading.slip_rate={slip_rate}")];
-            let set: Vec<String> =
-                place.into_iter().chain(change.iter().map(|set| set.to_string())).collect();
-            assert_expected(&parse_scene(IRON, "this test", &set).unwrap(), seconds);
+            let set = [&place.each_ref().map(String::as_str)[..], change].concat();
+            assert_expected(&parse(IRON, &set).unwrap(), seconds);
         }
     }
 

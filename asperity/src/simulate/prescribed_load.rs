@@ -74,7 +74,7 @@ mod tests {
     use tables::quantity::Quantity;
 
     use super::*;
-    use crate::scene::file::parse_scene;
+    use crate::scene::tests::parse;
     use crate::simulate::{Unwatched, simulate};
 
     fn scene(load: &str, slip_distance: &str) -> Scene {
@@ -82,7 +82,7 @@ mod tests {
             "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n[loading]\n{load}\nslip_rate = 0\n\
              slip_distance = {slip_distance}\n[numerics]\nelements_per_radius = 6\nsectors = 4\n"
         );
-        parse_scene(&text, "this test", &[]).unwrap()
+        parse(&text, &[]).unwrap()
     }
 
     /// From elastic to deep contacts, on both sides of the first guess.

@@ -14,9 +14,10 @@
 use crate::discretisation::body::Body;
 use crate::interface::contact::Contact;
 use crate::interface::friction_law::{ContactPoint, shear_limit};
-use crate::loading::problem::{Problem, SHEAR_RATIO};
+use crate::loading::problem::Problem;
+use crate::material::SHEAR_RATIO;
+use crate::scene::Scene;
 use crate::scene::fitted_constants::plastic_strain_of_slide::{ADDED, GROWTH};
-use crate::scene::{InterfaceStrength, Scene};
 use crate::simulate::messages::StrainChoice;
 
 /// Plastic strain over the required accuracy up to which strain is taken to be small. At twice or four times this a
@@ -26,18 +27,13 @@ const SMALL_SHARE: f64 = 0.05;
 /// The choice for a scene with `kinematics = "auto"`, from the press on the coarse mesh at small strain.
 pub fn choose_strain(scene: &Scene, problem: &Problem, body: &Body, contact: &Contact) -> StrainChoice {
     let strength = strength_ratio(scene, problem, contact);
-    // Plastic strain that an equally strong body takes without hardening beyond the interface.
-    let free = match problem.strength {
-        InterfaceStrength::Current => f64::INFINITY,
-        InterfaceStrength::Initial => scene.material.hardening.plateau(),
-    };
     let added = match strength {
         ratio if ratio > 1.0 => f64::INFINITY,
         ratio => {
             let yield_strain = scene.material.yield_strength / scene.material.youngs_modulus;
             let added =
                 yield_strain * added_by_slide(ratio, problem.interference / problem.critical_interference);
-            if ratio == 1.0 { free + added } else { added }
+            if ratio == 1.0 { scene.plateau_below_interface() + added } else { added }
         }
     };
     let expected = body.committed.largest_plastic_strain() + added;

@@ -10,8 +10,7 @@ use super::outcome::{ErrorSource, Outcome};
 use super::{SimulationError, Unwatched, Watch, derived, run_alone, sample, simulate};
 use crate::heat::expected::HeatEffect;
 use crate::loading::slide::SlideFailure;
-use crate::scene::file::parse_scene;
-use crate::scene::tests::of_preset;
+use crate::scene::tests::{of_preset, parse};
 use crate::scene::{Kinematics, LoadingStep, Numerics, Scene, Switch};
 
 /// A point that lifts off with friction and touches without it has no equilibrium for any increment. Without removal of
@@ -253,7 +252,7 @@ fn balances_without_friction_are_not_relative_to_rounding() {
                 [interface]\nlaw = \"frictionless\"\n\
                 [loading]\ninterference = 0.5\nslip_rate = 0\nslip_distance = 0.5\n\
                 [numerics]\nelements_per_radius = 4\nsectors = 4\n";
-    let outcome = simulate(&parse_scene(text, "this test", &[]).unwrap(), &Unwatched).unwrap();
+    let outcome = simulate(&parse(text, &[]).unwrap(), &Unwatched).unwrap();
     let is_unbalanced = |warning: &Warning| matches!(warning, Warning::Unbalanced { .. });
     assert!(!outcome.account.warnings.iter().any(is_unbalanced), "{:?}", outcome.account.warnings);
     let weakening = outcome.scalars[Quantity::EnergyWeakening].value;
@@ -280,9 +279,7 @@ fn unlimited_shear_is_not_refined() {
                 specific_heat = 475\nthermal_conductivity = 45\nthermal_expansion = 0\n[asperity]\nradius = 1e-3\n\
                 [loading]\ninterference = 10\nslip_rate = 0\nslip_distance = 0.01\n[numerics]\naccuracy = 0.05\n";
     let limited = |set: &[&str]| {
-        let set: Vec<String> = set.iter().map(|key| key.to_string()).collect();
-        let scene = parse_scene(text, "this test", &set).unwrap();
-        let outcome = simulate(&scene, &Unwatched).unwrap();
+        let outcome = simulate(&parse(text, set).unwrap(), &Unwatched).unwrap();
         outcome.account.notes.iter().any(|note| matches!(note, Note::UnlimitedShear { planned: 0.1 }))
     };
     assert!(limited(&[]));

@@ -60,7 +60,7 @@ mod tests {
     use tables::quantity::{Quantity, State};
 
     use super::*;
-    use crate::scene::tests::of_preset;
+    use crate::scene::tests::{assert_written_is_read, of_preset};
     use crate::simulate::{Unwatched, press, simulate};
 
     fn steady_scene(slip_rate: &str, accuracy: &str) -> Scene {
@@ -111,9 +111,8 @@ mod tests {
         let scene = steady_scene("loading.slip_rate=0", "numerics.accuracy=0.1");
         assert!(press(&scene, &Unwatched).err().unwrap().to_string().contains("give a number"));
         // As it is written, it is read.
-        let written = crate::scene::file::write_scene(&scene);
+        let written = assert_written_is_read(&scene);
         assert!(written.contains("slip_distance = \"steady\""), "{written}");
-        assert_eq!(crate::scene::file::parse_scene(&written, "this test", &[]).unwrap(), scene);
         let request = written.replace("[loading]", "[table]\n[loading]");
         let request: String = request
             .lines()

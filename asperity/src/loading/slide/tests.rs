@@ -7,8 +7,8 @@ use crate::discretisation::mesh::MeshSize;
 use crate::loading::NEWTON_TOLERANCE;
 use crate::loading::press;
 use crate::loading::problem::Discretisation;
-use crate::loading::problem::SHEAR_RATIO;
-use crate::scene::file::parse_scene;
+use crate::material::SHEAR_RATIO;
+use crate::scene::tests::parse;
 use tables::closed_forms::partial_slip::mindlin;
 
 /// A hot slide in plastic contact, coarse, ready to start.
@@ -47,8 +47,7 @@ fn problem_of(changes: &[&str]) -> Problem {
                 softening = { law = \"johnson-cook\", reference = 298.0, melting = 1793.0, exponent = 1.0 }\n\
                 [asperity]\nradius = 1e-3\n\
                 [loading]\ninterference = 5.0\nslip_rate = 1.0\nslip_distance = 0.5\n";
-    let set: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
-    Problem::new(&parse_scene(text, "this test", &set).unwrap())
+    Problem::new(&parse(text, changes).unwrap())
 }
 
 /// Each of forty steps is rejected once after its solution and repeated at half the length; the same short steps

@@ -49,9 +49,7 @@ pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result
         }
         check_value(&full, value, key.kind, source)?;
     }
-    // Laws given by points.
-    same_length(path, table, "plastic_strain", "factor", source)?;
-    same_length(path, table, "temperature", "factor", source)
+    check_lengths(path, table, source)
 }
 
 fn check_value(path: &str, value: &Value, kind: Kind, source: &Source) -> Result<(), SceneFileError> {
@@ -72,7 +70,7 @@ fn check_value(path: &str, value: &Value, kind: Kind, source: &Source) -> Result
             let missing = keys.iter().find(|key| !table.contains_key(key.name));
             return match missing {
                 Some(key) => Err(source.missing(join(path, key.name), key.kind.allowed())),
-                None => same_length(path, table, "temperature", "value", source),
+                None => Ok(()),
             };
         }
         (Kind::NumberOr(_, _, name), Value::String(given)) => given == name,
@@ -121,23 +119,20 @@ fn check_order(path: &str, numbers: &[f64], order: Order, source: &Source) -> Re
     }
 }
 
-/// That two lists of a section, if both are given, have as many numbers.
-pub fn same_length(
-    path: &str,
-    table: &Table,
-    abscissa: &str,
-    ordinate: &str,
-    source: &Source,
-) -> Result<(), SceneFileError> {
+/// Laws and properties by points have as many ordinates as abscissae.
+fn check_lengths(path: &str, table: &Table, source: &Source) -> Result<(), SceneFileError> {
     let length = |key: &str| table.get(key).and_then(Value::as_array).map(Vec::len);
-    match (length(abscissa), length(ordinate)) {
-        (Some(wanted), Some(found)) if found != wanted => Err(source.invalid(
-            &join(path, ordinate),
-            format!("{found} numbers"),
-            format!("as long as {abscissa} ({wanted})"),
-        )),
-        _ => Ok(()),
+    for (abscissa, ordinate) in
+        [("plastic_strain", "factor"), ("temperature", "factor"), ("temperature", "value")]
+    {
+        if let (Some(wanted), Some(found)) = (length(abscissa), length(ordinate))
+            && found != wanted
+        {
+            let allowed = format!("as long as {abscissa} ({wanted})");
+            return Err(source.invalid(&join(path, ordinate), format!("{found} numbers"), allowed));
+        }
     }
+    Ok(())
 }
 
 /// Integers are numbers too: `interference = 20`.

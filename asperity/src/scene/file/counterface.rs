@@ -103,7 +103,7 @@ pub fn resolve_counterface(sections: &mut Table, source: &Source) -> Result<(), 
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::file::{parse_scene, write_scene};
+    use crate::scene::tests::{assert_written_is_read, parse};
     use crate::scene::{Counterface, TemperatureDependence};
 
     fn read(section: &str) -> Result<Counterface, String> {
@@ -111,8 +111,8 @@ mod tests {
             "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
              [loading]\ninterference = 20\nslip_rate = 1\n{section}\n"
         );
-        let scene = parse_scene(&text, "scene.toml", &[]).map_err(|error| error.to_string())?;
-        assert_eq!(parse_scene(&write_scene(&scene), "written", &[]).as_ref(), Ok(&scene));
+        let scene = parse(&text, &[])?;
+        assert_written_is_read(&scene);
         Ok(scene.counterface)
     }
 

@@ -135,7 +135,7 @@ fn value_at<'a>(table: &'a Table, path: &str) -> Option<&'a Value> {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::file::parse_scene;
+    use crate::scene::tests::parse;
 
     /// Serde reads the laws of a film with those of its interface, and does not say which of them it means.
     #[test]
@@ -144,12 +144,9 @@ mod tests {
             "interface = { law = \"briscoe-tabor\", film_strength = 6e7, film_softening = { law = \"x\" } }";
         let text =
             format!("material.preset = \"copper\"\nasperity.radius = 1e-3\nloading.interference = 1\n{film}");
-        let refused = |sets: &[&str]| {
-            let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
-            parse_scene(&text, "this test", &sets).unwrap_err().to_string()
-        };
+        let refused = |sets: &[&str]| parse(&text, sets).unwrap_err();
         let allowed = "must be one of \"none\", \"johnson-cook\", \"table\"";
-        let of_file = format!("this test: line 4: interface.film_softening.law = \"x\": {allowed}");
+        let of_file = format!("scene.toml: line 4: interface.film_softening.law = \"x\": {allowed}");
         assert_eq!(refused(&["loading.slip_rate=1"]), of_file);
         let set = "interface.film_softening.law=y";
         let of_set = format!("--set {set}: interface.film_softening.law = \"y\": {allowed}");
@@ -174,8 +171,8 @@ mod tests {
                 "material.preset = \"copper\"\nasperity.radius = 1e-3\nloading = {{ interference = 1, slip_rate = 1 }}\n\
                  interface = {{ law = \"briscoe-tabor\", film_strength = 6e7, film_softening = {law} }}"
             );
-            let refused = parse_scene(&text, "this test", &[]).unwrap_err().to_string();
-            assert_eq!(refused, format!("this test: interface.film_softening.{missing}"));
+            let refused = parse(&text, &[]).unwrap_err();
+            assert_eq!(refused, format!("scene.toml: interface.film_softening.{missing}"));
         }
     }
 }

@@ -4,64 +4,24 @@
 /// (a file or a `--set`), the key, the value and what is allowed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneFileError {
-    /// The file is not there or is not text.
+    /// The file, by its path as given, is not there or is not text; `reason` is what the system said.
     #[error("{file}: cannot be read: {reason}")]
-    Unreadable {
-        /// Path as given.
-        file: String,
-        /// What the system said.
-        reason: String,
-    },
-    /// The file is not TOML.
+    Unreadable { file: String, reason: String },
+    /// The file is not TOML; lines are counted from 1, `reason` is what the parser said.
     #[error("{file}: line {line}: {}", short(.reason))]
-    Syntax {
-        /// Path as given.
-        file: String,
-        /// Counted from 1.
-        line: usize,
-        /// What the parser said.
-        reason: String,
-    },
-    /// An override is not of the form `section.key=value`.
+    Syntax { file: String, line: usize, reason: String },
+    /// An override is not of the form `section.key=value`; `reason` is what is expected.
     #[error("--set {}: {}", short(.text), short(.reason))]
-    Override {
-        /// As given.
-        text: String,
-        /// What is expected.
-        reason: String,
-    },
-    /// An unknown key or section.
+    Override { text: String, reason: String },
+    /// An unknown key (full path) or section in a file or override; `hint` is the nearest known key, or all of them.
     #[error("{}: unknown key {}; {hint}", short(.place), short(.key))]
-    UnknownKey {
-        /// File or override.
-        place: String,
-        /// Full path of the key.
-        key: String,
-        /// Nearest known key, or all of them.
-        hint: String,
-    },
-    /// A key without a default is not given.
+    UnknownKey { place: String, key: String, hint: String },
+    /// A key without a default, or several, is not given; `allowed` is what it may be.
     #[error("{}: {key} is missing; it must be {allowed}", short(.place))]
-    Missing {
-        /// File or override.
-        place: String,
-        /// Full path of the key, or several.
-        key: String,
-        /// What it may be.
-        allowed: String,
-    },
+    Missing { place: String, key: String, allowed: String },
     /// A value of the wrong type or out of range.
     #[error("{}: {} = {}: must be {allowed}", short(.place), short(.key), short(.value))]
-    Invalid {
-        /// File or override.
-        place: String,
-        /// Full path of the key.
-        key: String,
-        /// As given.
-        value: String,
-        /// What it may be.
-        allowed: String,
-    },
+    Invalid { place: String, key: String, value: String, allowed: String },
 }
 
 /// The beginning of a text that is too long for a message.

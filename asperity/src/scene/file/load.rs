@@ -53,21 +53,20 @@ pub fn expected_interference(scene: &Scene, load: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::scene::Control;
-    use crate::scene::file::{parse_request, parse_scene, write_scene};
+    use crate::scene::file::parse_request;
+    use crate::scene::tests::{assert_written_is_read, parse};
 
     const SCENE: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n";
 
     fn read(loading: &str, overrides: &[&str]) -> Result<Scene, String> {
-        let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-        let text = format!("{SCENE}[loading]\nslip_rate = 1\n{loading}\n");
-        parse_scene(&text, "scene.toml", &overrides).map_err(|error| error.to_string())
+        parse(&format!("{SCENE}[loading]\nslip_rate = 1\n{loading}\n"), overrides)
     }
 
     #[test]
     fn a_load_takes_the_place_of_an_interference() {
         let scene = read("load = 20", &[]).unwrap();
         assert_eq!((scene.loading.load, scene.loading.control), (Some(20.0), Control::Load));
-        assert_eq!(parse_scene(&write_scene(&scene), "written", &[]).unwrap(), scene);
+        assert_written_is_read(&scene);
         assert!(!scene.defaults_in_effect().iter().any(|text| text.contains("loading.control")));
         let held = read("load = 20\ncontrol = \"interference\"", &[]).unwrap();
         assert_eq!(held.loading.control, Control::Interference);

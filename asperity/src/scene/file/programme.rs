@@ -77,14 +77,15 @@ pub fn leave_to_programme(sections: &mut Table) {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::file::{parse_request, parse_scene, write_scene};
+    use crate::scene::file::parse_request;
+    use crate::scene::tests::{assert_written_is_read, parse};
     use crate::scene::{LoadingStep, Scene};
 
     const SCENE: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n";
 
     fn read(loading: &str) -> Result<Scene, String> {
         let text = format!("{SCENE}[loading]\ninterference = 20\n{loading}\n");
-        parse_scene(&text, "scene.toml", &[]).map_err(|error| error.to_string())
+        parse(&text, &[])
     }
 
     #[test]
@@ -98,12 +99,11 @@ mod tests {
         assert_eq!((scene.loading.slip_rate, scene.loading.slip_distance), (3.0, 5.5));
         assert_eq!(scene.loading.clone().with_steps(steps.into()), scene.loading);
         assert_eq!(scene.loading.first_slip_rate(), 0.01);
-        let written = write_scene(&scene);
-        assert_eq!(parse_scene(&written, "written", &[]).unwrap(), scene, "{written}");
-        let set = ["loading.steps=[{ slip_rate = 5, slip_distance = 1 }]".to_owned()];
+        let written = assert_written_is_read(&scene);
+        let set = ["loading.steps=[{ slip_rate = 5, slip_distance = 1 }]"];
         let single = format!("{SCENE}[loading]\ninterference = 20\nslip_rate = 2\n");
         for text in [&written, &single] {
-            assert_eq!(parse_scene(text, "written", &set).unwrap().loading.slip_rate, 5.0);
+            assert_eq!(parse(text, &set).unwrap().loading.slip_rate, 5.0);
         }
         assert!(
             !read("slip_rate = 1").unwrap().defaults_in_effect().iter().any(|text| text.contains("steps"))
@@ -149,13 +149,9 @@ mod tests {
             let message = read(loading).unwrap_err();
             assert!(parts.iter().all(|part| message.contains(part)), "{message}");
         }
-        let set = ["loading.steps=[{ hold = 0 }]".to_owned()];
-        let error =
-            parse_scene(&format!("{SCENE}[loading]\ninterference = 20\n"), "scene.toml", &set).unwrap_err();
-        assert!(
-            error.to_string().starts_with("--set loading.steps=[{ hold = 0 }]: loading.steps[0].hold"),
-            "{error}"
-        );
+        let set = "loading.steps=[{ hold = 0 }]";
+        let error = parse(&format!("{SCENE}[loading]\ninterference = 20\n"), &[set]).unwrap_err();
+        assert!(error.starts_with(&format!("--set {set}: loading.steps[0].hold")), "{error}");
         let request =
             format!("{SCENE}[loading]\nsteps = [{{ slip_rate = 1, slip_distance = 1 }}]\n[table]\n");
         let error = parse_request(&request, "request.toml", &[]).unwrap_err().to_string();

@@ -103,17 +103,18 @@ pub fn check_rates(scene: &Scene, slip_rates: &[f64], source: &Source) -> Result
 #[cfg(test)]
 mod tests {
     use crate::scene::Rate;
-    use crate::scene::file::{parse_request, parse_scene};
+    use crate::scene::file::parse_request;
+    use crate::scene::tests::parse;
 
     const SCENE: &str = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n";
-    const LOADING: &str = "[loading]\ninterference = 20\nslip_rate = 1\n";
-
-    fn overrides(rate: &str) -> Vec<String> {
-        vec![format!("material.rate={rate}")]
-    }
 
     #[test]
     fn mistakes_in_a_rate_law_are_named() {
+        let refused = |preset: &str, rate: &str| {
+            let text =
+                format!("{SCENE}[loading]\ninterference = 20\nslip_rate = 1\n").replace("copper", preset);
+            parse(&text, &[&format!("material.rate={rate}")]).unwrap_err()
+        };
         for (rate, message) in [
             ("{ law = \"johnson-cook\", coefficient = -0.1 }", "zero or a positive number"),
             ("{ law = \"johnson-cook\", reference = 0 }", "a positive number (1/s)"),
@@ -121,19 +122,17 @@ mod tests {
             ("{ law = \"johnson\" }", "johnson-cook"),
             ("{ law = \"none\", coefficient = 0.1 }", "left out unless law = \"johnson-cook\""),
         ] {
-            let text = format!("{SCENE}{LOADING}");
-            let error = parse_scene(&text, "scene.toml", &overrides(rate)).unwrap_err().to_string();
+            let error = refused("copper", rate);
             assert!(error.contains("material.rate") && error.contains(message), "{error}");
         }
         // The standard has no rate law that the scene could take.
-        let text = format!("{SCENE}{LOADING}").replace("copper", "carbon-steel-en1993");
-        let error = parse_scene(&text, "scene.toml", &overrides("{ law = \"johnson-cook\" }")).unwrap_err();
-        assert!(error.to_string().contains("material.rate.coefficient is missing"), "{error}");
+        let error = refused("carbon-steel-en1993", "{ law = \"johnson-cook\" }");
+        assert!(error.contains("material.rate.coefficient is missing"), "{error}");
     }
 
     #[test]
     fn tables_with_a_rate_law_do_not_reach_down_to_slip_rate_0() {
-        let rate = overrides("{ law = \"johnson-cook\" }");
+        let rate = ["material.rate={ law = \"johnson-cook\" }".to_owned()];
         let request = parse_request(&format!("{SCENE}[table]\n"), "request.toml", &rate).unwrap();
         assert_eq!(request.template.material.rate, Rate::JohnsonCook { coefficient: 0.025, reference: 1.0 });
         assert!(request.slip_rates[0] > 0.0);

@@ -3,6 +3,7 @@
 use tables::refinement::Goal;
 
 use super::*;
+use crate::scene::tests::{assert_written_is_read, parse};
 use crate::scene::{FrictionLaw, Hardening, Kinematics, Softening, Switch, TemperatureTable};
 
 const COMPLETE: &str = r#"
@@ -61,17 +62,22 @@ interference = { from = 0.1, to = 100, points = 4, spacing = "log" }
 slip_rate = [0.0, 0.1, 10]
 "#;
 
-fn set(overrides: &[&str]) -> Vec<String> {
-    overrides.iter().map(|&text| text.to_owned()).collect()
+fn scene_with(overrides: &[&str]) -> Result<Scene, String> {
+    parse(COMPLETE, overrides)
 }
 
-fn scene_with(overrides: &[&str]) -> Result<crate::scene::Scene, SceneFileError> {
-    parse_scene(COMPLETE, "scene.toml", &set(overrides))
+fn request_with(overrides: &[&str]) -> Result<Request, String> {
+    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
+    parse_request(REQUEST, "request.toml", &overrides).map_err(|error| error.to_string())
+}
+
+fn assert_written_request_is_read(request: &Request) {
+    assert_eq!(parse_request(&write_request(request), "written", &[]).as_ref(), Ok(request));
 }
 
 /// The message, which must be one line with all of `parts`.
 fn refused(overrides: &[&str], parts: &[&str]) {
-    let message = scene_with(overrides).expect_err(overrides[0]).to_string();
+    let message = scene_with(overrides).expect_err(overrides[0]);
     assert!(!message.contains('\n'), "{message}");
     for part in parts {
         assert!(message.contains(part), "{message} lacks {part}");
@@ -93,7 +99,7 @@ fn complete_scene_is_read_as_written() {
 
 #[test]
 fn defaults_are_those_of_the_documentation() {
-    let short = parse_scene(SHORT, "scene.toml", &[]).unwrap();
+    let short = parse(SHORT, &[]).unwrap();
     let complete = scene_with(&[]).unwrap();
     assert_eq!(short.interface, complete.interface);
     assert_eq!(short.loading, complete.loading);
@@ -106,12 +112,8 @@ fn defaults_are_those_of_the_documentation() {
 #[test]
 fn keys_override_the_preset_and_set_overrides_the_file() {
     let text = SHORT.replace("steel-4340\"", "steel-4340\"\nyield_strength = 5e8");
-    let scene = parse_scene(
-        &text,
-        "scene.toml",
-        &set(&["material.hardening.exponent=0.3", "material.softening={law=\"none\"}"]),
-    )
-    .unwrap();
+    let changes = ["material.hardening.exponent=0.3", "material.softening={law=\"none\"}"];
+    let scene = parse(&text, &changes).unwrap();
     assert_eq!(scene.material.yield_strength, 5e8);
     assert_eq!(scene.material.youngs_modulus, 205e9);
     let expected = Hardening::JohnsonCook { modulus: 510e6, exponent: 0.3 };
@@ -146,17 +148,14 @@ fn written_scene_reads_back_the_same() {
         ],
     ];
     for overrides in cases {
-        let scene = scene_with(overrides).unwrap();
-        let text = write_scene(&scene);
-        assert_eq!(parse_scene(&text, "written", &[]).unwrap(), scene, "{text}");
+        assert_written_is_read(&scene_with(overrides).unwrap());
     }
-    let short = parse_scene(SHORT, "scene.toml", &[]).unwrap();
-    assert_eq!(parse_scene(&write_scene(&short), "written", &[]).unwrap(), short);
+    assert_written_is_read(&parse(SHORT, &[]).unwrap());
 }
 
 #[test]
 fn ranges_are_spaced_as_asked() {
-    let request = parse_request(REQUEST, "request.toml", &[]).unwrap();
+    let request = request_with(&[]).unwrap();
     let expected = [0.1, 1.0, 10.0, 100.0];
     for (value, expected) in request.interferences.iter().zip(expected) {
         assert!((value / expected - 1.0).abs() < 1e-14);
@@ -164,26 +163,22 @@ fn ranges_are_spaced_as_asked() {
     assert_eq!(request.interferences.len(), 4);
     assert_eq!(request.slip_rates, [0.0, 0.1, 10.0]);
     assert_eq!(request.interferences[3], 100.0);
-    assert_eq!(parse_request(&write_request(&request), "written", &[]).unwrap(), request);
+    assert_written_request_is_read(&request);
     let linear = "table.slip_rate={from=0, to=2, points=3, spacing=\"linear\"}";
-    let request = parse_request(REQUEST, "request.toml", &set(&[linear])).unwrap();
-    assert_eq!(request.slip_rates, [0.0, 1.0, 2.0]);
-    let refined = set(&["table.tolerance=0.02", "table.max_cells=60"]);
-    let request = parse_request(REQUEST, "request.toml", &refined).unwrap();
+    assert_eq!(request_with(&[linear]).unwrap().slip_rates, [0.0, 1.0, 2.0]);
+    let request = request_with(&["table.tolerance=0.02", "table.max_cells=60"]).unwrap();
     assert_eq!(request.goal, Some(Goal { tolerance: 0.02, most_cells: 60 }));
-    assert_eq!(parse_request(&write_request(&request), "written", &[]).unwrap(), request);
-    let few = set(&["table.tolerance=0.02", "table.max_cells=11"]);
-    assert!(parse_request(REQUEST, "", &few).unwrap_err().to_string().contains("from 12 to"));
-    let request = parse_request(REQUEST, "request.toml", &set(&["table.slip_rate=1"])).unwrap();
-    assert_eq!(request.slip_rates, [1.0]);
+    assert_written_request_is_read(&request);
+    let few = request_with(&["table.tolerance=0.02", "table.max_cells=11"]);
+    assert!(few.unwrap_err().contains("from 12 to"));
+    assert_eq!(request_with(&["table.slip_rate=1"]).unwrap().slip_rates, [1.0]);
 }
 
 #[test]
 fn initial_temperatures_are_read_and_written() {
-    let list = set(&["table.temperature=[298, 500, 700.5]"]);
-    let request = parse_request(REQUEST, "request.toml", &list).unwrap();
+    let request = request_with(&["table.temperature=[298, 500, 700.5]"]).unwrap();
     assert_eq!(request.temperatures, [298.0, 500.0, 700.5]);
-    assert_eq!(parse_request(&write_request(&request), "written", &[]).unwrap(), request);
+    assert_written_request_is_read(&request);
     let templates = request.templates();
     assert_eq!(templates.len(), 3);
     assert_eq!(templates[0], request.template);
@@ -191,11 +186,10 @@ fn initial_temperatures_are_read_and_written() {
     let hot = request.at_temperature(500.0);
     assert_eq!((hot.template.loading.temperature, hot.temperatures.len()), (500.0, 0));
     // Written out for its temperature it is the same request.
-    assert_eq!(parse_request(&write_request(&hot), "written", &[]).unwrap(), hot);
-    let range = set(&["table.temperature={from=300, to=700, points=3}"]);
-    let request = parse_request(REQUEST, "request.toml", &range).unwrap();
+    assert_written_request_is_read(&hot);
+    let request = request_with(&["table.temperature={from=300, to=700, points=3}"]).unwrap();
     assert_eq!(request.temperatures, [300.0, 500.0, 700.0]);
-    let without = parse_request(REQUEST, "request.toml", &[]).unwrap();
+    let without = request_with(&[]).unwrap();
     assert!(without.temperatures.is_empty() && !write_request(&without).contains("[table]\ntemperature"));
     assert_eq!(without.templates(), [without.template]);
 }
@@ -228,22 +222,22 @@ fn bad_requests_are_refused() {
         ("model.heat=on", "slip rate is 0"),
     ];
     for (text, part) in cases {
-        let error = parse_request(REQUEST, "request.toml", &set(&[text])).unwrap_err();
-        assert!(error.to_string().contains(part), "{error} lacks {part}");
+        let error = request_with(&[text]).unwrap_err();
+        assert!(error.contains(part), "{error} lacks {part}");
     }
-    let both = set(&["table.temperature=[300, 500]", "table.tolerance=0.1"]);
-    let error = parse_request(REQUEST, "request.toml", &both).unwrap_err().to_string();
+    let both = ["table.temperature=[300, 500]", "table.tolerance=0.1"];
+    let error = request_with(&both).unwrap_err();
     assert!(error.contains("table.tolerance = 0.1") && error.contains("table.temperature"), "{error}");
-    let soft = set(&[
+    let soft = [
         "table.temperature=[300, 500]",
         "material.softening={law=\"table\", temperature=[300, 400], factor=[1, 0]}",
         "loading.temperature=300",
-    ]);
-    let error = parse_request(REQUEST, "request.toml", &soft).unwrap_err().to_string();
+    ];
+    let error = request_with(&soft).unwrap_err();
     assert!(error.contains("table.temperature = 500.0") && error.contains("factor is above 0"), "{error}");
     assert!(parse_request(SHORT, "scene.toml", &[]).unwrap_err().to_string().contains("table"));
-    let error = parse_scene(REQUEST, "request.toml", &[]).unwrap_err();
-    assert!(error.to_string().contains("asperity tabulate"), "{error}");
+    let error = parse(REQUEST, &[]).unwrap_err();
+    assert!(error.contains("asperity tabulate"), "{error}");
 }
 
 #[test]
@@ -340,7 +334,7 @@ fn properties_may_be_tables_over_temperature() {
     assert_eq!(scene.material.dependence.youngs_modulus, None);
     // A number replaces the table of a preset.
     let short = SHORT.replace("steel-4340\"", "carbon-steel-en1993\"\nspecific_heat = 450.0");
-    let scene = parse_scene(&short, "scene.toml", &[]).unwrap();
+    let scene = parse(&short, &[]).unwrap();
     assert_eq!((scene.material.specific_heat, scene.material.dependence.specific_heat), (450.0, None));
     assert!(scene.material.dependence.thermal_conductivity.is_some());
 

@@ -77,31 +77,15 @@ impl Preset {
 
     /// The yield strength, Pa, if a counterface that conducts has the constants of this preset.
     pub(crate) fn strength_of(&self, counterface: &Counterface) -> Option<f64> {
-        let of_counterface = [
-            (counterface.density, None),
-            (counterface.specific_heat, counterface.dependence.specific_heat.as_ref()),
-            (counterface.thermal_conductivity, counterface.dependence.thermal_conductivity.as_ref()),
-        ];
+        let (own, given) = (self.section(), Table::try_from(counterface).expect("plain data"));
         let keys = ["density", "specific_heat", "thermal_conductivity"];
-        let is_alike = |(key, (value, table)): (&str, (Option<f64>, Option<&TemperatureTable>))| match (
-            &self.constant(key)?.value,
-            table,
-        ) {
-            (ConstantValue::Number(own), None) => Some(Some(*own) == value),
-            (ConstantValue::Table(own), Some(table)) => Some(own == table),
-            _ => None,
-        };
-        let alike = keys.into_iter().zip(of_counterface).all(|pair| is_alike(pair) == Some(true));
+        let alike = keys.into_iter().all(|key| own.get(key) == given.get(key));
         self.number("yield_strength").filter(|_| alike)
-    }
-
-    fn constant(&self, key: &str) -> Option<&Constant> {
-        self.constants.iter().find(|constant| constant.key == key)
     }
 
     /// A constant that is one number.
     fn number(&self, key: &str) -> Option<f64> {
-        match self.constant(key)?.value {
+        match self.constants.iter().find(|constant| constant.key == key)?.value {
             ConstantValue::Number(value) => Some(value),
             _ => None,
         }

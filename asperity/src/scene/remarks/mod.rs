@@ -14,8 +14,8 @@ use crate::scene::fitted_constants::localised_shear;
 use crate::scene::loading::{default_slip_distance, default_temperature};
 use crate::scene::presets::Preset;
 use crate::scene::{
-    FractureData, FrictionLaw, Hardening, Interface, InterfaceStrength, Loading, Material, Model, Numerics,
-    Rate, Scene, Softening, Switch, presets,
+    Control, FractureData, FrictionLaw, Interface, InterfaceStrength, Loading, Scene, Softening, Switch,
+    presets,
 };
 
 /// Linear hardening modulus over yield strength that is suggested where none is given: within the range 0.35 to 4.5 of
@@ -183,13 +183,18 @@ impl Scene {
         has_friction && self.interface_strength(1.0) >= self.material.elastic_plastic().shear_strength()
     }
 
+    /// Plastic strain up to which a body does not harden beyond an interface of its own initial strength.
+    pub(crate) fn plateau_below_interface(&self) -> f64 {
+        match self.interface.strength {
+            InterfaceStrength::Initial => self.material.hardening.plateau(),
+            InterfaceStrength::Current => f64::INFINITY,
+        }
+    }
+
     /// Bounds of the errors where shear localises in one layer of elements under the interface at the plastic strain of a contact
     /// that sticks: the body yields, does not harden beyond the strength of the interface, and is no stronger than that.
     pub(crate) fn localised_shear(&self, plastic_strain: f64) -> Option<&'static localised_shear::Bounds> {
-        let plateau = match self.interface.strength {
-            InterfaceStrength::Initial => self.material.hardening.plateau(),
-            InterfaceStrength::Current => f64::INFINITY,
-        };
+        let plateau = self.plateau_below_interface();
         let localises = self.interface_as_strong() && plastic_strain > 0.0 && plastic_strain <= plateau;
         localises.then_some(match plateau.is_finite() {
             true => &localised_shear::ON_PLATEAU,
@@ -256,26 +261,13 @@ impl Scene {
 
     /// Optional keys that have their default value, as in `material.softening.law = "none"`.
     pub fn defaults_in_effect(&self) -> Vec<String> {
-        let (material, loading) = (self.material.clone(), self.loading.clone());
-        let default = Scene {
-            material: Material {
-                hardening: Hardening::None,
-                rate: Rate::None,
-                softening: Softening::None,
-                ..material
-            },
-            interface: Interface::default(),
-            loading: Loading {
-                // A programme has its own.
-                slip_distance: if self.loading.steps.is_empty() { default_slip_distance() } else { f64::NAN },
-                control: Default::default(),
-                temperature: default_temperature(),
-                ..loading
-            },
-            model: Model::default(),
-            numerics: Numerics::default(),
-            ..self.clone()
-        };
+        let mut default = self.clone();
+        let Scene { material, interface, loading, model, numerics, .. } = &mut default;
+        (material.hardening, material.rate, material.softening) = Default::default();
+        (*interface, *model, *numerics) = Default::default();
+        // A programme has its own.
+        loading.slip_distance = if loading.steps.is_empty() { default_slip_distance() } else { f64::NAN };
+        (loading.control, loading.temperature) = (Control::default(), default_temperature());
         let [here, default] = [self, &default].map(|scene| Table::try_from(scene).expect("plain data"));
         let default: HashMap<String, &Value> = values_by_path(&default).into_iter().collect();
         let without_effect = |path: &str| path == "interface.heat_partition" && self.partition_is_result();

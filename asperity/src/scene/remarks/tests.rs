@@ -1,5 +1,4 @@
-use crate::scene::file::parse_scene;
-use crate::scene::tests::of_preset;
+use crate::scene::tests::{of_preset, parse};
 use tables::numbers::{plain, rounded};
 
 /// Brass from seven constants.
@@ -8,8 +7,7 @@ const BRASS: &str = "[material]\nyoungs_modulus = 105e9\npoisson_ratio = 0.34\ny
                      [asperity]\nradius = 50e-6\n[loading]\ninterference = 10\nslip_rate = 2\n";
 
 fn scene_with(overrides: &[&str]) -> super::Scene {
-    let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
-    parse_scene(BRASS, "brass", &overrides).unwrap()
+    parse(BRASS, overrides).unwrap()
 }
 
 fn remarks(overrides: &[&str]) -> Vec<String> {
@@ -225,7 +223,7 @@ fn presets_are_plausible_and_their_hardening_spans_the_suggested_one() {
         let scene = of_preset(name, &[]);
         let said = scene.remarks();
         assert!(!said.iter().any(|said| said.contains("implausible")), "{name}: {said:?}");
-        if let super::Hardening::JohnsonCook { modulus, .. } = scene.material.hardening {
+        if let crate::scene::Hardening::JohnsonCook { modulus, .. } = scene.material.hardening {
             ratios.push(modulus / scene.material.yield_strength);
         }
     }
