@@ -11,17 +11,11 @@ use crate::scene::{Scene, Switch};
 /// Heat is left out where its expected effect on friction is below this share of the required accuracy.
 const NEGLIGIBLE_SHARE: f64 = 1e-3;
 
-/// Treatment of heat.
+/// Treatment of heat: coupled, or the reason for leaving it out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HeatChoice {
     /// Temperatures soften and expand the contact.
     Coupled,
-    Off(NoHeat),
-}
-
-/// Reason for leaving heat out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NoHeat {
     SwitchedOff,
     /// V = 0, the isothermal limit.
     AtRest,
@@ -143,11 +137,11 @@ pub fn runaway(scene: &Scene) -> Option<f64> {
 /// Heat is coupled unless there is none or its effect is negligible.
 pub fn choose_heat(scene: &Scene, slip_rate: f64, effect: &HeatEffect) -> HeatChoice {
     match scene.model.heat {
-        Switch::Off => HeatChoice::Off(NoHeat::SwitchedOff),
-        _ if slip_rate == 0.0 => HeatChoice::Off(NoHeat::AtRest),
-        Switch::Auto if !scene.interface.law.has_friction() => HeatChoice::Off(NoHeat::NoFriction),
+        Switch::Off => HeatChoice::SwitchedOff,
+        _ if slip_rate == 0.0 => HeatChoice::AtRest,
+        Switch::Auto if !scene.interface.law.has_friction() => HeatChoice::NoFriction,
         Switch::Auto if effect.friction() < NEGLIGIBLE_SHARE * scene.numerics.accuracy => {
-            HeatChoice::Off(NoHeat::Negligible)
+            HeatChoice::Negligible
         }
         Switch::On | Switch::Auto => HeatChoice::Coupled,
     }
@@ -207,13 +201,12 @@ mod tests {
             change(&mut scene);
             choose_heat(&scene, slip_rate, &HeatEffect::expected(&scene, slip_rate, 2e-5))
         };
-        let off = |reason| HeatChoice::Off(reason);
         assert_eq!(choice(1.0, &|_| ()), HeatChoice::Coupled);
-        assert_eq!(choice(0.0, &|_| ()), off(NoHeat::AtRest));
-        assert_eq!(choice(1.0, &|s| s.model.heat = Switch::Off), off(NoHeat::SwitchedOff));
+        assert_eq!(choice(0.0, &|_| ()), HeatChoice::AtRest);
+        assert_eq!(choice(1.0, &|s| s.model.heat = Switch::Off), HeatChoice::SwitchedOff);
         let frictionless = |s: &mut Scene| s.interface.law = crate::scene::FrictionLaw::Frictionless;
-        assert_eq!(choice(1.0, &frictionless), off(NoHeat::NoFriction));
-        assert_eq!(choice(1e-6, &|_| ()), off(NoHeat::Negligible));
+        assert_eq!(choice(1.0, &frictionless), HeatChoice::NoFriction);
+        assert_eq!(choice(1e-6, &|_| ()), HeatChoice::Negligible);
         assert_eq!(choice(1e-6, &|s| s.model.heat = Switch::On), HeatChoice::Coupled);
         // Plastic work heats where friction does not.
         assert_eq!(choice(1.0, &|s| s.interface.heat_partition = 0.0), HeatChoice::Coupled);

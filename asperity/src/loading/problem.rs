@@ -20,8 +20,6 @@ use crate::solver::StopRequest;
 use crate::solver::harmonic::{FactorError, HarmonicFactors};
 use crate::solver::newton::Mechanics;
 
-pub use crate::material::SHEAR_RATIO;
-
 #[derive(Clone, Debug)]
 pub struct Problem {
     pub solid: Solid,

@@ -188,12 +188,27 @@ pub fn dot_of_parts<'a>(parts: impl Iterator<Item = (&'a [f64], &'a [f64])>) -> 
 /// y += scale·M·x for a small square matrix stored column by column.
 #[inline(always)]
 pub fn add_small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
+    product::<true>(scale, columns, x, y);
+}
+
+/// y = scale·M·x.
+#[inline(always)]
+pub fn small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
+    product::<false>(scale, columns, x, y);
+}
+
+/// y = scale·M·x, or y += scale·M·x with ADD.
+#[inline(always)]
+fn product<const ADD: bool>(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
     match x.len() {
-        1 => fixed_product::<1, true>(scale, columns, x, y),
-        4 => fixed_product::<4, true>(scale, columns, x, y),
-        8 => fixed_product::<8, true>(scale, columns, x, y),
-        16 => fixed_product::<16, true>(scale, columns, x, y),
+        1 => fixed_product::<1, ADD>(scale, columns, x, y),
+        4 => fixed_product::<4, ADD>(scale, columns, x, y),
+        8 => fixed_product::<8, ADD>(scale, columns, x, y),
+        16 => fixed_product::<16, ADD>(scale, columns, x, y),
         n => {
+            if !ADD {
+                y.fill(0.0);
+            }
             for (k, column) in columns.chunks_exact(n).enumerate() {
                 for (y, c) in y.iter_mut().zip(column) {
                     *y = fma(scale * x[k], *c, *y);
@@ -203,22 +218,7 @@ pub fn add_small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) 
     }
 }
 
-/// y = scale·M·x.
-#[inline(always)]
-pub fn small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
-    match x.len() {
-        1 => fixed_product::<1, false>(scale, columns, x, y),
-        4 => fixed_product::<4, false>(scale, columns, x, y),
-        8 => fixed_product::<8, false>(scale, columns, x, y),
-        16 => fixed_product::<16, false>(scale, columns, x, y),
-        _ => {
-            y.fill(0.0);
-            add_small_product(scale, columns, x, y);
-        }
-    }
-}
-
-/// y = scale·M·x, or y += scale·M·x with ADD.
+/// The same for N values.
 #[inline(always)]
 fn fixed_product<const N: usize, const ADD: bool>(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
     let (columns, _) = columns.as_chunks::<N>();

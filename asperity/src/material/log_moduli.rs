@@ -6,7 +6,7 @@
 
 use crate::material::lanes::Pack;
 use crate::material::log_strain::LogStrain;
-use crate::material::tensor::{PLACE, Symmetric, TwoPoint, after};
+use crate::material::tensor::{PLACE, Symmetric, TwoPoint, after, contracted};
 
 /// Independent entries of the symmetric ∂P/∂F: 9·10/2, row by row.
 pub const ENTRIES: usize = 45;
@@ -98,13 +98,6 @@ fn material_moduli<V: Pack>(
         }
     }
     material
-}
-
-/// x:y, which counts shears twice.
-#[inline(always)]
-fn contracted<V: Pack>(x: &Symmetric<V>, y: &Symmetric<V>) -> V {
-    let shears = x[3].mul_add(y[3], x[4].mul_add(y[4], x[5] * y[5]));
-    x[0].mul_add(y[0], x[1].mul_add(y[1], x[2].mul_add(y[2], shears + shears)))
 }
 
 /// Places of ∂²J/∂F∂F, each with row and column of F and the sign of the two permutations.

@@ -9,7 +9,7 @@
 use gauss_quad::GaussLegendre;
 
 use crate::material::lanes::Pack;
-use crate::material::tensor::{PAIR, PLACE, Symmetric, TwoPoint};
+use crate::material::tensor::{PAIR, PLACE, Symmetric, TwoPoint, contracted};
 
 /// Largest truncation ρ^2m: far below the tolerance of Newton's method.
 const TRUNCATION: f64 = 1e-12;
@@ -134,8 +134,7 @@ pub fn first_piola<V: Pack>(f: &TwoPoint<V>, second: &Symmetric<V>) -> TwoPoint<
 /// |X| of the lane where it is largest.
 #[inline(always)]
 fn largest_norm<V: Pack>(x: &Symmetric<V>) -> f64 {
-    let twice = x[3].mul_add(x[3], x[4].mul_add(x[4], x[5] * x[5]));
-    x[0].mul_add(x[0], x[1].mul_add(x[1], x[2].mul_add(x[2], twice + twice))).largest().sqrt()
+    contracted(x, x).largest().sqrt()
 }
 
 /// (1 + tX)⁻¹ by cofactors.

@@ -17,6 +17,13 @@ pub const PAIR: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (
 /// Place in [`PAIR`] of two indices.
 pub const PLACE: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
 
+/// x:y, which counts shears twice.
+#[inline(always)]
+pub fn contracted<V: Pack>(x: &Symmetric<V>, y: &Symmetric<V>) -> V {
+    let shears = x[3].mul_add(y[3], x[4].mul_add(y[4], x[5] * y[5]));
+    x[0].mul_add(y[0], x[1].mul_add(y[1], x[2].mul_add(y[2], shears + shears)))
+}
+
 /// F = 1 + h.
 #[inline(always)]
 pub fn deformation_gradient<V: Pack>(h: &TwoPoint<V>) -> TwoPoint<V> {

@@ -2,7 +2,7 @@
 
 use tables::quantity::Quantity;
 
-use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat, choose_heat, runaway};
+use crate::heat::expected::{HeatChoice, HeatEffect, choose_heat, runaway};
 use crate::material::SHEAR_RATIO;
 use crate::scene::fitted_constants::smooth_flux;
 use crate::scene::loading::extent;
@@ -89,7 +89,7 @@ impl<'a> Conditions<'a> {
 
     /// Temperature rise to report where heat is negligible, K.
     pub fn expected_rise(&self) -> f64 {
-        if self.heat == HeatChoice::Off(NoHeat::Negligible) { self.effect.rise } else { 0.0 }
+        if self.heat == HeatChoice::Negligible { self.effect.rise } else { 0.0 }
     }
 
     /// Heat partition to report where heat is left out.
@@ -102,7 +102,7 @@ impl<'a> Conditions<'a> {
         let Pressed { scene, problem, .. } = self.pressed;
         let small = scene.model.kinematics == Kinematics::Auto && !problem.finite_strain;
         ModellingError {
-            heat: (self.heat == HeatChoice::Off(NoHeat::Negligible)).then_some(self.effect),
+            heat: (self.heat == HeatChoice::Negligible).then_some(self.effect),
             shared_heat: self.shared_heat(run),
             heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition_error },
             strain: if small { run.plastic_strain() } else { 0.0 },

@@ -4,7 +4,7 @@ use super::Slide;
 use super::increments::StepControl;
 use super::motion::Motion;
 use super::shear_limits::shear_limits;
-use crate::loading::problem::SHEAR_RATIO;
+use crate::material::SHEAR_RATIO;
 
 impl Slide<'_> {
     /// Step control of the present motion.

@@ -3,7 +3,8 @@
 use crate::discretisation::body::{Body, BodyState};
 use crate::interface::contact::Contact;
 use crate::interface::friction_law::{ContactPoint, shear_limit};
-use crate::loading::problem::{Problem, SHEAR_RATIO};
+use crate::loading::problem::Problem;
+use crate::material::SHEAR_RATIO;
 use crate::scene::InterfaceStrength;
 
 /// f_τ σ_Y(T)/√3 times the hardening factor.

@@ -5,7 +5,7 @@ mod warning;
 
 use std::fmt::{self, Display, Formatter, Write};
 
-use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat};
+use crate::heat::expected::{HeatChoice, HeatEffect};
 use crate::loading::inception::InceptionCriterion;
 use crate::loading::problem::{PressFriction, Problem, Units};
 use crate::loading::state::SlideState;
@@ -132,10 +132,10 @@ impl Note {
 fn heat_in_words(choice: &HeatChoice, effect: &HeatEffect) -> String {
     match choice {
         HeatChoice::Coupled => format!("included: {effect}"),
-        HeatChoice::Off(NoHeat::SwitchedOff) => "left out: it is switched off".into(),
-        HeatChoice::Off(NoHeat::AtRest) => "left out: the slip rate is 0, the isothermal limit".into(),
-        HeatChoice::Off(NoHeat::NoFriction) => "left out: there is no friction".into(),
-        HeatChoice::Off(NoHeat::Negligible) => format!("left out: {effect}, which the errors include"),
+        HeatChoice::SwitchedOff => "left out: it is switched off".into(),
+        HeatChoice::AtRest => "left out: the slip rate is 0, the isothermal limit".into(),
+        HeatChoice::NoFriction => "left out: there is no friction".into(),
+        HeatChoice::Negligible => format!("left out: {effect}, which the errors include"),
     }
 }
 
