@@ -38,14 +38,8 @@ impl Hardening {
     pub fn plateau(&self) -> f64 {
         const NO_RISE: f64 = 1.01;
         match self {
-            Self::None => f64::INFINITY,
-            Self::Linear { modulus } | Self::JohnsonCook { modulus, .. } => {
-                if *modulus > 0.0 {
-                    0.0
-                } else {
-                    f64::INFINITY
-                }
-            }
+            Self::Linear { modulus } | Self::JohnsonCook { modulus, .. } if *modulus > 0.0 => 0.0,
+            Self::None | Self::Linear { .. } | Self::JohnsonCook { .. } => f64::INFINITY,
             Self::Table { plastic_strain, factor } => {
                 match factor.iter().rposition(|factor| *factor <= NO_RISE) {
                     Some(last) if last + 1 == factor.len() => f64::INFINITY,

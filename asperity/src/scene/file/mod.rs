@@ -5,8 +5,6 @@
 //!
 //! A message about bad input is one line that names the file and the line (or the `--set`), the key, the
 //! value and what is allowed. An unknown key is an error.
-//!
-//! Depends on `presets` and the types of the scene. Chapters "Scene" and "Request of a table" of the book.
 
 mod check;
 mod counterface;

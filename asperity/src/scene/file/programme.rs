@@ -10,7 +10,7 @@ use crate::scene::LoadingStep;
 use crate::scene::loading::extent;
 
 /// Path of the programme.
-pub const STEPS: &str = "loading.steps";
+const STEPS: &str = "loading.steps";
 const BY_STEPS: [&str; 2] = ["slip_rate", "slip_distance"];
 
 /// Checks the programme of a scene, if it has one, and enters the largest slip rate and the total slip.

@@ -13,10 +13,8 @@ use super::deserialise::read;
 use super::document::{Document, name_of, text_of};
 use super::error::SceneFileError;
 use super::keys::{POSITIVE, POSITIVE_FOR_LOG, Range, SLIP_RATE, TABLE, range_keys};
-use super::load::LOAD;
-use super::programme::STEPS;
 use super::relations;
-use super::source::Source;
+use super::source::{Source, join};
 use crate::scene::{Rate, Scene};
 
 /// A grid of scenes that differ in interference and slip rate, at one or at several initial temperatures.
@@ -152,23 +150,21 @@ fn leave_to_grid(
     let Some(Value::Table(loading)) = sections.get_mut("loading") else {
         return Ok(());
     };
-    let ways = [
-        (STEPS, "steps", "left out of a request: the cells of a table slide at one slip rate each"),
+    for (key, allowed) in [
+        ("steps", "left out of a request: the cells of a table slide at one slip rate each"),
         (
-            LOAD,
             "load",
             "left out of a request, which has table.interference: surfaces find the loads of their contacts",
         ),
-    ];
-    if let Some((path, value, allowed)) =
-        ways.iter().find_map(|(path, key, allowed)| Some((path, loading.get(*key)?, allowed)))
-    {
-        return Err(source.invalid(path, value, *allowed));
+    ] {
+        if let Some(value) = loading.get(key) {
+            return Err(source.invalid(&join("loading", key), value, allowed));
+        }
     }
     for (key, first) in first {
         if let Some(value) = loading.insert(key.to_owned(), Value::Float(first)) {
             let allowed = format!("left out of a request, which has table.{key}");
-            return Err(source.invalid(&format!("loading.{key}"), value, allowed));
+            return Err(source.invalid(&join("loading", key), value, allowed));
         }
     }
     Ok(())

@@ -4,7 +4,7 @@ use tables::refinement::Goal;
 
 use super::*;
 use crate::scene::tests::{assert_written_is_read, parse};
-use crate::scene::{FrictionLaw, Hardening, Kinematics, Softening, Switch, TemperatureTable};
+use crate::scene::{Hardening, Softening, TemperatureTable};
 
 const COMPLETE: &str = r#"
 [material]
@@ -82,19 +82,6 @@ fn refused(overrides: &[&str], parts: &[&str]) {
     for part in parts {
         assert!(message.contains(part), "{message} lacks {part}");
     }
-}
-
-#[test]
-fn complete_scene_is_read_as_written() {
-    let scene = scene_with(&[]).unwrap();
-    assert_eq!(scene.material.youngs_modulus, 200e9);
-    assert_eq!(scene.material.hardening, Hardening::None);
-    assert_eq!(scene.radius, 1e-3);
-    assert_eq!(scene.interface.law, FrictionLaw::ShearStrength);
-    assert_eq!(scene.loading.interference, 20.0);
-    assert_eq!(scene.model.heat, Switch::Auto);
-    assert_eq!(scene.model.kinematics, Kinematics::Auto);
-    assert_eq!(scene.numerics.sectors, Some(16));
 }
 
 #[test]

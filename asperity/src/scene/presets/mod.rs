@@ -2,8 +2,6 @@
 //!
 //! One file per material in this folder. To add a material, add its file; the tests check that it
 //! is complete and that every constant names a source.
-//!
-//! Depends on `crate::scene::file`, which reads them. Chapter "Scene" of the book.
 
 use std::sync::OnceLock;
 
@@ -26,7 +24,8 @@ pub enum ConstantValue {
 }
 
 /// One constant of a preset.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Constant {
     /// Key below `[material]`, as in `hardening.modulus`.
     #[serde(skip)]
@@ -152,16 +151,6 @@ struct PresetFile {
     entries: Table,
 }
 
-/// A constant of a material file; with temperatures its values are those at them, K.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ConstantEntry {
-    value: ConstantValue,
-    temperature: Option<Vec<f64>>,
-    unit: String,
-    source: String,
-}
-
 fn parse(name: &'static str, text: &str) -> Result<Preset, toml::de::Error> {
     let PresetFile { title, checked, entries } = toml::from_str(text)?;
     let (mut constants, mut laws) = (Vec::new(), Vec::new());
@@ -171,28 +160,19 @@ fn parse(name: &'static str, text: &str) -> Result<Preset, toml::de::Error> {
                 for (member, value) in members {
                     match value {
                         Value::String(law) => laws.push((key.clone(), law)),
-                        value => constants.push(constant(format!("{key}.{member}"), value)?),
+                        value => {
+                            constants.push(Constant { key: format!("{key}.{member}"), ..value.try_into()? })
+                        }
                     }
                 }
             }
-            value => constants.push(constant(key, value)?),
+            value => constants.push(Constant { key, ..value.try_into()? }),
         }
     }
     constants.sort_by_key(|constant| {
         REQUIRED.iter().position(|key| constant.key == *key).unwrap_or(REQUIRED.len())
     });
     Ok(Preset { name, title, checked, constants, laws })
-}
-
-fn constant(key: String, value: Value) -> Result<Constant, toml::de::Error> {
-    let ConstantEntry { value, temperature, unit, source } = value.try_into()?;
-    let value = match (value, temperature) {
-        (ConstantValue::List(value), Some(temperature)) => {
-            ConstantValue::Table(TemperatureTable { temperature, value })
-        }
-        (value, _) => value,
-    };
-    Ok(Constant { key, value, unit, source })
 }
 
 #[cfg(test)]
