@@ -195,10 +195,12 @@ fn half_space(scene: &Scene, capacity: f64, expansion: f64) -> Option<HalfSpace>
     let Material { thermal_conductivity, density, specific_heat, .. } = scene.material;
     let (conductivity, heat) = (conductivity / thermal_conductivity, heat / (density * specific_heat));
     let conductance = scene.counterface.contact_conductance * scene.radius / thermal_conductivity;
-    let half_space = HalfSpace::new(conductivity / heat, capacity * (conductivity * heat).sqrt())
+    let mut half_space = HalfSpace::new(conductivity / heat, capacity * (conductivity * heat).sqrt())
         .with_properties(ThermalProperties::of(&scene.counterface.dependence, scene.loading.temperature))
         .with_expansion(expansion);
-    Some(half_space.with_contact(1.0 / (conductance * capacity), scene.interface.heat_partition))
+    half_space.resistance = 1.0 / (conductance * capacity);
+    half_space.share = scene.interface.heat_partition;
+    Some(half_space)
 }
 
 /// Mesh and elastic factors for one number of sectors.

@@ -56,6 +56,11 @@ impl SlideState {
         self.transverse < ALONG
     }
 
+    /// Radius of the circle of the same area as the contact.
+    pub fn radius(&self) -> f64 {
+        (self.area / std::f64::consts::PI).sqrt()
+    }
+
     /// Q/P; 0 without a load.
     pub fn mu(&self) -> f64 {
         if self.load > 0.0 { self.friction / self.load } else { 0.0 }

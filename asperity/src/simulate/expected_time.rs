@@ -1,10 +1,8 @@
 //! Processor time to expect of a run, from its scene alone, and of a refinement, from the run before it.
 //!
-//! A mesh of n elements per contact radius costs time in proportion to n^2.3; the accuracy ε of the scene requires
-//! n in proportion to ε^(−0.9). Light contacts, whose friction scatters more, and deep ones, whose G does, take finer meshes.
-//! Increments grow with the slip, so that ten times the slip costs a third more. Each step of a programme takes as long as a
-//! slide. A counterface that conducts, and thermal properties that depend on temperature, take further time, the latter most
-//! of all in a contact that may melt.
+//! The formula and its data are stated beside its constants, `scene::fitted_constants::processor_time`. Light contacts,
+//! whose friction scatters more, and deep ones, whose G does, take finer meshes. Increments grow with the slip. Each step of a
+//! programme takes as long as a slide.
 
 use crate::heat::expected::{HeatEffect, choose_heat};
 use crate::loading::problem::Problem;

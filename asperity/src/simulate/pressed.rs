@@ -77,23 +77,21 @@ pub struct Pressed {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
-    in_pool(|| press_in_pool(scene, watch))
-}
-
-fn press_in_pool(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
     let clock = Instant::now();
     if let Some(given) = scene.loading.to_be_found() {
         let other = if scene.loading.load.is_some() { "the interference" } else { "a number" };
         let reason = format!("{given} of several slides from one press: give {other}");
         return Err(SimulationError::Unsupported(reason));
     }
-    let mut pressed = press_coarsely(scene, watch)?;
-    watch.progress("press", 0.2, "fine mesh");
-    let others = [pressed.resolution, pressed.resolution.coarse().longer_steps()];
-    add_presses(&mut pressed.meshes, &pressed.problem, &others, pressed.contact_radius, watch)?;
-    watch.progress("press", 1.0, "");
-    pressed.wall_time = clock.elapsed().as_secs_f64();
-    Ok(pressed)
+    in_pool(|| {
+        let mut pressed = press_coarsely(scene, watch)?;
+        watch.progress("press", 0.2, "fine mesh");
+        let others = [pressed.resolution, pressed.resolution.coarse().longer_steps()];
+        add_presses(&mut pressed.meshes, &pressed.problem, &others, pressed.contact_radius, watch)?;
+        watch.progress("press", 1.0, "");
+        pressed.wall_time = clock.elapsed().as_secs_f64();
+        Ok(pressed)
+    })
 }
 
 /// Presses of [`press`]: on the coarse mesh, on that of the main run, and on the coarse one in longer increments.

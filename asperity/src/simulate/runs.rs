@@ -139,9 +139,7 @@ impl<'a> Runner<'a> {
         }
         let budget = auxiliary_values(&runs).map(|values| ErrorBudget::other_than_mesh(values, &start));
         if budget.is_some_and(|budget| budget.steps_matter(&runs[0].values, &self.pressed.numerics)) {
-            let progress =
-                RunProgress { kind: "coarse mesh: ", span: (AUXILIARY, AUXILIARY), goes_on: false };
-            match self.run(&coarse.looser_solver(), progress, watch) {
+            match self.run(&coarse.looser_solver(), progress((AUXILIARY, AUXILIARY), false), watch) {
                 Ok(looser) => runs.push(looser),
                 Err(error) => return Ok((runs, Next::Failed(error))),
             }

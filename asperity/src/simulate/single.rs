@@ -56,11 +56,12 @@ impl Conditions<'_> {
         slide.record_fields();
         let mesh = &discretisation.mesh;
         let values = Values::new(problem, &press.increments, &slide.history);
+        let mut values = values.with_expected_rise(self.expected_rise());
         let effort = slide.mechanics.effort;
-        let residual = press.effort.residual + effort.residual;
+        values.residual = press.effort.residual + effort.residual;
         let mut run = Run {
             resolution: *resolution,
-            values: values.with_expected_rise(self.expected_rise()).with_residual(residual),
+            values,
             steady: None,
             effort,
             timings: Timings::default(),

@@ -2,14 +2,10 @@
 //!
 //! Finite strain changes friction by about the largest plastic strain (see
 //! [`crate::simulate::accuracy::modelling_error`]), so small strain is used only where that stays far
-//! below the accuracy. The strain to expect is that of the press and what the slide adds, in units of
-//! the yield strain σ_Y/E: with f the largest shear traction of the interface over the shear strength
-//! of the body,
-//!
-//! ε = ε_press + 0.8 (1 + ω₀/ω_c)^1.1 (2f − 1)³ σ_Y/E for ½ < f ≤ 1, ε_press below.
-//!
-//! At f = 1 on a yield plateau its length is added. Above f = 1, and at f = 1 where body and interface remain equally
-//! strong, the body may shear without limit.
+//! below the accuracy. The strain to expect is that of the press and what the slide adds
+//! (`scene::fitted_constants::plastic_strain_of_slide`), by the ratio f of the largest shear traction of the interface
+//! to the shear strength of the body. At f = 1 on a yield plateau its length is added. Above f = 1, and at f = 1 where body
+//! and interface remain equally strong, the body may shear without limit.
 
 use crate::discretisation::body::Body;
 use crate::interface::contact::Contact;

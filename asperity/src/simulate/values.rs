@@ -118,11 +118,6 @@ impl Values {
         self.brackets[Quantity::MuSteady as usize] = steady.error;
     }
 
-    /// With stagnant steps of this sum of relative residuals.
-    pub fn with_residual(self, residual: f64) -> Self {
-        Self { residual, ..self }
-    }
-
     pub fn value(&self, quantity: Quantity) -> f64 {
         self.values[quantity as usize]
     }
@@ -186,12 +181,9 @@ fn weakening(history: &[SlideState]) -> f64 {
 
 fn is_steady(history: &[SlideState]) -> bool {
     let last = history.last().expect("not empty");
-    if last.load <= 0.0 {
-        return false;
-    }
     let earlier = between(history, 0.75 * last.slip);
-    let mu = last.friction / last.load;
-    earlier.load > 0.0 && (earlier.friction / earlier.load - mu).abs() <= STEADY_CHANGE * mu.abs()
+    let change = (earlier.mu() - last.mu()).abs();
+    last.load > 0.0 && earlier.load > 0.0 && change <= STEADY_CHANGE * last.mu().abs()
 }
 
 #[cfg(test)]

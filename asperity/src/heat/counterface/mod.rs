@@ -39,19 +39,16 @@ pub type Profile = Vector3<f64>;
 const POINTS: [usize; 2] = [6, 24];
 /// The same for the height of the surface, which is smoother.
 const POINTS_OF_HEIGHT: [usize; 2] = [4, 12];
-/// Panels of the convolution per contact radius that the heat moves or spreads.
-const PANELS_PER_RADIUS: f64 = 1.0;
-/// The same at a point, at which the heat begins and ends abruptly.
+/// Panels of the convolution per contact radius that the heat moves or spreads, at a point, at which the heat begins and ends
+/// abruptly; over the contact one is enough.
 const PANELS_AT_A_POINT: f64 = 4.0;
 /// Radius over that of the contact of a disc that stands for a point.
 const POINT: f64 = 1e-3;
 /// Places between the middle of the contact and its edge at which the highest rise is sought.
 const PLACES: i32 = 16;
-/// Relative change of the contact radius up to which the response in an increment is that of the trial before; the heat in the
-/// history differs by up to twice this from that of the increment.
-const SAME_RADIUS: f64 = 1e-3;
-/// Relative change of the diffusivity up to which the response in an increment is that of the trial before.
-const SAME_DIFFUSIVITY: f64 = 1e-3;
+/// Relative change of contact radius and diffusivity up to which the response in an increment is that of the trial before; the
+/// heat in the history differs by up to twice that of the radius from the heat of the increment.
+const SAME: f64 = 1e-3;
 /// Share of an increment over which the flux is that of its first stage, see [`HalfSpace::step`].
 const FIRST_PART: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
@@ -183,12 +180,6 @@ impl HalfSpace {
         }
     }
 
-    /// The same behind a contact of resistance 1/h_c, the share `share` of whose frictional heat is released on the side
-    /// of the other body.
-    pub fn with_contact(self, resistance: f64, share: f64) -> Self {
-        Self { resistance, share, ..self }
-    }
-
     /// The same that expands, by (1 + ν)α per kelvin.
     pub fn with_expansion(self, expansion: f64) -> Self {
         let capacity = self.effusivity * std::f64::consts::SQRT_2 / self.spreading;
@@ -241,14 +232,14 @@ impl HalfSpace {
         let to = Moment { time: diffusivity * dt, slip };
         let is_same = |tried: &StepResponse| {
             (tried.dt, tried.to.slip) == (dt, to.slip)
-                && (tried.diffusivity / diffusivity - 1.0).abs() <= SAME_DIFFUSIVITY
-                && (tried.radius / radius - 1.0).abs() <= SAME_RADIUS
+                && (tried.diffusivity / diffusivity - 1.0).abs() <= SAME
+                && (tried.radius / radius - 1.0).abs() <= SAME
         };
         if let Some((tried, _)) = self.trial.filter(|(tried, _)| is_same(tried)) {
             return tried;
         }
         let stage = to.at(1.0 - FIRST_PART);
-        let contact = Disc { radius, downstream: 0.0, panel: radius / PANELS_PER_RADIUS };
+        let contact = Disc { radius, downstream: 0.0, panel: radius };
         let free = [stage, to].map(|at| self.history.iter().map(|heat| self.rise(heat, at, contact)).sum());
         let response = |until: Moment, at: Moment| {
             let heat = Interval { from: Moment::NOW, to: until, flux: Profile::zeros(), radius };
@@ -264,7 +255,7 @@ impl HalfSpace {
     pub fn height_tried(&self) -> Option<Profile> {
         let trial = self.trial.as_ref().filter(|_| self.expands())?;
         let (StepResponse { radius, to, .. }, _) = *trial;
-        let contact = Disc { radius, downstream: 0.0, panel: radius / PANELS_PER_RADIUS };
+        let contact = Disc { radius, downstream: 0.0, panel: radius };
         let heats = self.history.iter().copied().chain(parts(trial));
         let height: Profile = heats.map(|heat| self.raised(&heat, to, contact) * heat.flux).sum();
         // Of the rise of temperature, not of the potential, in the ratio that they have in the contact.

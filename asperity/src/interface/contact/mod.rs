@@ -7,8 +7,6 @@
 //!
 //! Fields over the contact are ring by ring, columns of θ within: `[ring*columns + j]`; vectors have (r, θ)
 //! components. Areas and forces are those of the half body.
-//!
-//! Depends on `contact_edge` and `crate::discretisation`. Chapters "Interface" and "Contact" of the book.
 
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::element::RevolvedMesh;

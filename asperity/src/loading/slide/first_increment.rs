@@ -35,10 +35,9 @@ impl Slide<'_> {
 
     /// δ_s = τ₀a(2 − ν)/(2G), the elastic displacement at gross slip, with 2 − ν taken as 2.
     fn elastic_displacement(&self) -> f64 {
-        let radius = (self.history[0].area / std::f64::consts::PI).sqrt();
         let strength = self.problem.strength_factor.min(10.0) * SHEAR_RATIO;
         let limit = self.mean_film_limit().map_or(strength, |limit| strength.min(limit));
-        limit * radius / self.problem.solid.moduli.shear
+        limit * self.history[0].radius() / self.problem.solid.moduli.shear
     }
 
     /// Mean τ₀ of Coulomb's law and of films under the present pressure, which may be far below the strength of the metal.

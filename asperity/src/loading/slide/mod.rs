@@ -4,9 +4,6 @@
 //! the slip rate after the flat has slowed down; [`increments`]: lengths of the increments and the bracket of sliding inception; [`coupling`]:
 //! equilibrium of one increment with its contact edge, shear limits and temperature; [`state`]: the
 //! state after it with the totals of work and heat; [`invariants`]: conditions that every state meets.
-//!
-//! Depends on `crate::solver::newton`, `crate::heat` and `crate::interface`. Chapters "One asperity" and "Equilibrium"
-//! of the book.
 
 mod coupling;
 mod edge_search;
@@ -266,8 +263,8 @@ impl<'a> Slide<'a> {
         invariants::check(self.problem, self.elastic_of_press, self.last(), state, rise)?;
         let contact = &self.mechanics.contact;
         if contact.at_rim(&contact.trial) {
-            let start = (self.history[0].area / std::f64::consts::PI).sqrt();
-            return Err(SlideFailure::OutgrewMesh { growth: contact.radius(&contact.trial) / start });
+            let growth = contact.radius(&contact.trial) / self.history[0].radius();
+            return Err(SlideFailure::OutgrewMesh { growth });
         }
         Ok(())
     }

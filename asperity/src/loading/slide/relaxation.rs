@@ -49,7 +49,7 @@ impl Slide<'_> {
         if self.motion.direction() * now.friction < 0.0 || now.area == 0.0 {
             return Relaxation::default();
         }
-        let radius = (now.area / PI).sqrt();
+        let radius = now.radius();
         let displacement = 4.0 * (2.0 - problem.poisson_ratio) * now.friction.abs()
             / (3.0 * PI * PI * problem.solid.moduli.shear * radius);
         let length = problem.units.length;

@@ -218,30 +218,25 @@ impl RunProgress {
         from + (to - from) * done
     }
 
-    /// Kind of the run and state of the slide in one line.
+    /// Kind of the run and last state of the slide in one line.
     pub fn describe(&self, units: &Units, history: &[SlideState]) -> String {
-        format!("{}{}", self.kind, slide_progress(units, history))
-    }
-}
-
-/// The last state of a slide in one line.
-fn slide_progress(units: &Units, history: &[SlideState]) -> String {
-    let [start, .., now] = history else { return String::new() };
-    // Radii of circles of the contact's area.
-    let radius = |state: &SlideState| (state.area / std::f64::consts::PI).sqrt();
-    let mut text = format!(
-        "step {}, slip {:.3} a0, contact radius {:.3} a0, mu {:.3}, {:.0} % sticks",
-        history.len() - 1,
-        now.slip / radius(start),
-        radius(now) / radius(start),
-        now.friction / now.load,
-        100.0 * now.stick_fraction,
-    );
-    if now.rise_max > 0.0 {
+        let mut text = self.kind.to_owned();
+        let [start, .., now] = history else { return text };
         // Writing to a String cannot fail.
-        let _ = write!(text, ", up to {:.0} K", units.temperature + now.rise_max);
+        let _ = write!(
+            text,
+            "step {}, slip {:.3} a0, contact radius {:.3} a0, mu {:.3}, {:.0} % sticks",
+            history.len() - 1,
+            now.slip / start.radius(),
+            now.radius() / start.radius(),
+            now.friction / now.load,
+            100.0 * now.stick_fraction,
+        );
+        if now.rise_max > 0.0 {
+            let _ = write!(text, ", up to {:.0} K", units.temperature + now.rise_max);
+        }
+        text
     }
-    text
 }
 
 #[cfg(test)]
@@ -252,19 +247,14 @@ mod tests {
     fn the_last_state_is_described_relative_to_the_first() {
         let units = Units { length: 1e-3, stress: 1e9, time: 1.0, temperature: 298.0 };
         let start = SlideState { area: 4e-4, load: 2.0, stick_fraction: 1.0, ..SlideState::default() };
-        assert_eq!(slide_progress(&units, &[start]), "");
-        let radius = (4e-4 / std::f64::consts::PI).sqrt();
-        let now = SlideState {
-            slip: 0.25 * radius,
-            area: 9e-4,
-            friction: 0.6,
-            stick_fraction: 0.125,
-            rise_max: 100.4,
-            ..start
-        };
+        let progress = RunProgress { kind: "finer: ", span: (0.0, 1.0), goes_on: false };
+        assert_eq!(progress.describe(&units, &[start]), "finer: ");
+        let slip = 0.25 * (4e-4 / std::f64::consts::PI).sqrt();
+        let (area, friction, stick_fraction, rise_max) = (9e-4, 0.6, 0.125, 100.4);
+        let now = SlideState { slip, area, friction, stick_fraction, rise_max, ..start };
         assert_eq!(
-            slide_progress(&units, &[start, now]),
-            "step 1, slip 0.250 a0, contact radius 1.500 a0, mu 0.300, 12 % sticks, up to 398 K"
+            progress.describe(&units, &[start, now]),
+            "finer: step 1, slip 0.250 a0, contact radius 1.500 a0, mu 0.300, 12 % sticks, up to 398 K"
         );
     }
 }
