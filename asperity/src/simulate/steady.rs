@@ -209,6 +209,15 @@ mod tests {
             .collect()
     }
 
+    /// With heat, at a Fourier number at its end.
+    fn heated(mut history: Vec<SlideState>, fourier: f64) -> Vec<SlideState> {
+        let end = history.last().unwrap().slip;
+        for state in &mut history {
+            (state.area, state.heat_in, state.time) = (PI, 1.0, fourier * state.slip / end);
+        }
+        history
+    }
+
     #[test]
     fn friction_of_a_source_at_rest_is_extrapolated() {
         let found = steady_friction(&slide(20.0, |slip| 0.1 + 0.05 / slip.sqrt()));
@@ -220,13 +229,9 @@ mod tests {
     /// Before heat has diffused through the contact.
     #[test]
     fn friction_that_falls_with_the_square_root_of_slip_is_not_steady() {
-        let (fourier, end) = (0.01f64, 2.0f64);
-        let history: Vec<SlideState> = slide(end, |slip| 0.3 - 0.01 * (slip / end).sqrt())
-            .into_iter()
-            .map(|state| SlideState { area: PI, heat_in: 1.0, time: fourier * state.slip / end, ..state })
-            .collect();
+        let history = slide(2.0, |slip| 0.3 - 0.01 * (slip / 2.0).sqrt());
         // Up to Fo = 1 it falls to 0.2.
-        let found = steady_friction(&history);
+        let found = steady_friction(&heated(history, 0.01));
         assert!((found.value - 0.2).abs() < found.error, "{found:?}");
     }
 
@@ -235,11 +240,8 @@ mod tests {
     fn friction_that_falls_ends_between_its_present_value_and_zero() {
         for direction in [1.0, -1.0] {
             let of = |fall: f64| {
-                let mut history = slide(2.0, |slip| direction * (0.3 - fall * (slip / 2.0).sqrt()));
-                for state in &mut history {
-                    (state.area, state.heat_in, state.time) = (PI, 1.0, 1e-4 * state.slip / 2.0);
-                }
-                steady_friction(&history)
+                let history = slide(2.0, |slip| direction * (0.3 - fall * (slip / 2.0).sqrt()));
+                steady_friction(&heated(history, 1e-4))
             };
             let (slow, fast) = (of(0.1), of(0.18));
             // 2 × 0.2 − 0.25 and 2 × 0.12 − 0.21.
@@ -275,11 +277,7 @@ mod tests {
                 let sign = if (slip.ln() / 1.1f64.ln()).round() % 2.0 == 0.0 { 1.0 } else { -1.0 };
                 (0.3 - 0.15 * rise_over_steady(fourier * slip.max(1e-9) / end)) * (1.0 + sign * scatter)
             });
-            let history: Vec<SlideState> = history
-                .into_iter()
-                .map(|state| SlideState { area: PI, heat_in: 1.0, time: fourier * state.slip / end, ..state })
-                .collect();
-            let found = fitted_friction(&history).unwrap();
+            let found = fitted_friction(&heated(history, fourier)).unwrap();
             assert!((found.value - 0.15).abs() < found.error, "Fo = {fourier}: {found:?}");
             errors.push(found.error);
         }

@@ -32,6 +32,11 @@ fn slip(speed: f64, distance: f64) -> Motion {
     Motion::Slip { slip_rate: 0.0, speed, distance }
 }
 
+/// Makes the motions, without stops.
+fn run(slide: &mut Slide, motions: &[Motion]) -> Result<(), SlideFailure> {
+    slide.run(motions, &|| false, |_, _| {}).map(drop)
+}
+
 /// An increment to the displacement `to`, in which sliding may begin.
 fn advance(slide: &Slide, to: f64) -> Advance {
     let distance = (to - slide.last().slip).abs();
@@ -60,14 +65,14 @@ fn a_cut_back_restores_the_history_completely() {
     // The bracketing of inception would change the steps.
     forced.has_begun = true;
     let distance = 0.05 * problem.expected_contact_radius();
-    forced.run(&[slip(FAST, distance)], &|| false, |_, _| {}).unwrap();
+    run(&mut forced, &[slip(FAST, distance)]).unwrap();
     assert!(forced.cutbacks >= 40);
     assert!(forced.history.last().unwrap().rise_max > 1.0);
 
     // If further increments fail, the motion ends, with the states before.
     let mut endless = ready(&problem);
     endless.rejecting = 1000;
-    let ended = endless.run(&[slip(FAST, distance)], &|| false, |_, _| {});
+    let ended = run(&mut endless, &[slip(FAST, distance)]);
     assert!(
         matches!(ended, Err(SlideFailure::Discontinuous(_))) && endless.history.len() == MOST_FAILURES,
         "{ended:?}"
@@ -98,7 +103,7 @@ fn distorted_elements_end_a_slide_of_a_body_that_shears() {
         slide.rejecting = 4;
         slide.history[0].plastic_strain_max = strain;
         let distance = 1e-3 * problem.expected_contact_radius();
-        let ended = slide.run(&[slip(FAST, distance)], &|| false, |_, _| {});
+        let ended = run(&mut slide, &[slip(FAST, distance)]);
         assert_eq!(slide.cutbacks, cutbacks, "{ended:?}");
         assert_eq!(matches!(ended, Err(SlideFailure::Distorted { .. })), cutbacks == 1, "{ended:?}");
     }
@@ -110,7 +115,7 @@ fn distorted_elements_end_a_slide_of_a_body_that_shears() {
 fn sliding_inception_is_enclosed() {
     let problem = problem_of(&[]);
     let mut slide = ready(&problem);
-    slide.run(&[slip(FAST, 0.1 * problem.expected_contact_radius())], &|| false, |_, _| {}).unwrap();
+    run(&mut slide, &[slip(FAST, 0.1 * problem.expected_contact_radius())]).unwrap();
     let begun = slide.history.iter().position(SlideState::slides).unwrap();
     let (before, after) = (slide.history[begun - 1], slide.history[begun]);
     assert!(!before.slides());
@@ -144,7 +149,7 @@ fn a_reversed_slide_closes_its_loop() {
         problem_of(&["loading.interference=0.5", "interface.strength_factor=0.2", "model.heat=off"]);
     let mut slide = ready(&problem);
     (slide.heat, slide.motion) = (None, slip(0.0, 0.0));
-    let radius = (slide.history[0].area / std::f64::consts::PI).sqrt();
+    let radius = slide.history[0].radius();
     // Twice the elastic displacement τa/G at gross slip: the contact slips all over, but only towards the end.
     let far = 2.0 * problem.strength_factor * SHEAR_RATIO * radius / problem.solid.moduli.shear;
     let branch = |from: f64, to: f64| {
@@ -225,7 +230,7 @@ fn the_first_increment_follows_the_friction_law() {
         problem_of(&["loading.interference=0.5", "interface.law=coulomb", &friction, "model.heat=off"]);
     let mut slide = ready(&problem);
     (slide.heat, slide.motion) = (None, slip(0.0, 1.0));
-    let radius = (slide.history[0].area / std::f64::consts::PI).sqrt();
+    let radius = slide.history[0].radius();
     let tangential = problem.solid.moduli.shear / (2.0 - problem.poisson_ratio);
     let gross = mindlin::gross_slip_displacement(FRICTION, slide.last().load, tangential, radius);
     let first = slide.step_control().next(0.0, None) / gross;
@@ -248,7 +253,7 @@ fn increments_resolve_the_fall_of_the_slip_rate() {
     let growths = |motions: &[Motion], is_hot: bool| -> Vec<f64> {
         let mut slide = ready(&problem);
         slide.heat = slide.heat.filter(|_| is_hot);
-        slide.run(motions, &|| false, |_, _| {}).unwrap();
+        run(&mut slide, motions).unwrap();
         let before = slide.history.iter().rposition(|state| state.step + 1 < motions.len()).unwrap();
         slide.history[before..].iter().map(|state| state.rate_growth).collect()
     };
@@ -272,7 +277,7 @@ fn increments_of_a_slow_slip_are_not_shorter_than_rounding() {
     let problem = problem_of(&["interface.strength_factor=0.5"]);
     let radius = problem.expected_contact_radius();
     let mut slide = ready(&problem);
-    slide.run(&[slip(FAST, 0.1 * radius), slip(1e-12 * FAST, 0.02 * radius)], &|| false, |_, _| {}).unwrap();
+    run(&mut slide, &[slip(FAST, 0.1 * radius), slip(1e-12 * FAST, 0.02 * radius)]).unwrap();
     let slow = slide.history.windows(2).filter(|pair| pair[1].step == 1);
     let shortest = slow.map(|pair| pair[1].slip - pair[0].slip).fold(f64::INFINITY, f64::min);
     assert!(shortest > 1e-12 * radius, "{shortest}");

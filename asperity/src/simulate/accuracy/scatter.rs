@@ -57,13 +57,4 @@ mod tests {
         let between = scatter(Quantity::ContactRadius, 10f64.sqrt(), 10);
         assert!((between / (0.5 * (AREA_OF_PRESS[1] * AREA_OF_PRESS[2]).sqrt()) - 1.0).abs() < 1e-12);
     }
-
-    #[test]
-    fn deep_inception_is_uncertain_on_any_mesh() {
-        for quantity in [Quantity::EnergyRelease, Quantity::InceptionSlip] {
-            assert_eq!(of_deep_inception(quantity, 100.0), 0.0);
-            assert!((of_deep_inception(quantity, 1e3) / (0.5 * DEEP_INCEPTION[4]) - 1.0).abs() < 1e-12);
-        }
-        assert_eq!(of_deep_inception(Quantity::Mu, 1e3), 0.0);
-    }
 }

@@ -39,21 +39,15 @@ pub enum ErrorSource {
 }
 
 impl ErrorSource {
-    pub const ALL: [ErrorSource; 5] = [
-        ErrorSource::Mesh,
-        ErrorSource::Collocation,
-        ErrorSource::Steps,
-        ErrorSource::Solver,
-        ErrorSource::Model,
-    ];
+    pub const ALL: [Self; 5] = [Self::Mesh, Self::Collocation, Self::Steps, Self::Solver, Self::Model];
 
     pub fn name(self) -> &'static str {
         match self {
-            ErrorSource::Mesh => "mesh",
-            ErrorSource::Collocation => "sectors",
-            ErrorSource::Steps => "steps",
-            ErrorSource::Solver => "solver",
-            ErrorSource::Model => "model",
+            Self::Mesh => "mesh",
+            Self::Collocation => "sectors",
+            Self::Steps => "steps",
+            Self::Solver => "solver",
+            Self::Model => "model",
         }
     }
 }
@@ -61,18 +55,12 @@ impl ErrorSource {
 const QUANTITIES: usize = Quantity::SCALARS.len();
 
 /// Standard uncertainties of all quantities, SI, by source.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ErrorBudget {
     parts: [[f64; QUANTITIES]; 5],
     /// By the width of the inception bracket, by the threshold of the stiffness, of inception in deep contacts, and of the
     /// steady value by the length of the slide: with the increments.
     brackets: [f64; QUANTITIES],
-}
-
-impl Default for ErrorBudget {
-    fn default() -> Self {
-        Self { parts: [[0.0; QUANTITIES]; 5], brackets: [0.0; QUANTITIES] }
-    }
 }
 
 /// Quantities controlled by the accuracy of the scene.

@@ -6,6 +6,18 @@ fn numerics() -> Numerics {
     Numerics { accuracy: 0.02, elements_per_radius: None, sectors: None }
 }
 
+/// Auxiliary runs whose values agree.
+fn alike(values: &Values) -> AuxiliaryValues<'_> {
+    AuxiliaryValues { coarse: values, other_sectors: values, longer_steps: values, looser_solver: None }
+}
+
+/// The budget of a run and of one on its coarse mesh that agree, with auxiliary runs that do, too.
+fn of_agreeing(run: &Resolution, values: &Values, interference: f64) -> ErrorBudget {
+    let coarser = run.coarse();
+    let pair = [run, &coarser].map(|resolution| RunValues { resolution, values });
+    estimate(run, alike(values), pair, &ModellingError::default(), interference)
+}
+
 /// 3 + 2 n^-1.5 on n elements, and first order in the increments of the press: both bounds, and the scatter.
 #[test]
 fn errors_of_a_press_of_known_orders_are_found() {
@@ -87,7 +99,7 @@ fn increments_matter_above_a_share_of_the_accuracy() {
     let coarse = &Values::all(2.0);
     for (change, matters) in [(0.007, true), (0.0068, false)] {
         let longer_steps = &Values::all(2.0 * (1.0 + change));
-        let auxiliary = AuxiliaryValues { coarse, other_sectors: coarse, longer_steps, looser_solver: None };
+        let auxiliary = AuxiliaryValues { longer_steps, ..alike(coarse) };
         let budget = ErrorBudget::other_than_mesh(auxiliary, &start);
         assert_eq!(budget.steps_matter(coarse, &numerics()), matters, "{change}");
     }
@@ -97,17 +109,9 @@ fn increments_matter_above_a_share_of_the_accuracy() {
 #[test]
 fn meshes_that_agree_leave_the_scatter() {
     let start = Resolution::choose(&numerics());
-    let coarser = start.coarse();
     let values = Values::all(2.0);
-    let pair = [&start, &coarser].map(|resolution| RunValues { resolution, values: &values });
     for interference in [0.2, 20.0] {
-        let auxiliary = AuxiliaryValues {
-            coarse: &values,
-            other_sectors: &values,
-            longer_steps: &values,
-            looser_solver: None,
-        };
-        let budget = estimate(&start, auxiliary, pair, &ModellingError::default(), interference);
+        let budget = of_agreeing(&start, &values, interference);
         for quantity in [Quantity::Mu, Quantity::EnergyRelease] {
             let exact = 2.0 * scatter(quantity, interference, start.elements_per_radius);
             assert!((budget.relative(quantity, &values) / exact - 1.0).abs() < 1e-12);
@@ -126,17 +130,9 @@ fn meshes_that_agree_leave_the_scatter() {
 fn deep_inception_is_no_reason_for_a_finer_mesh() {
     let start = Resolution::choose(&numerics());
     let values = Values::all(2.0);
-    let of = |elements: usize| {
-        let run = Resolution { elements_per_radius: elements, ..start };
-        let coarser = run.coarse();
-        let pair = [&run, &coarser].map(|resolution| RunValues { resolution, values: &values });
-        let [coarse, other_sectors, longer_steps] = [&values; 3];
-        let auxiliary = AuxiliaryValues { coarse, other_sectors, longer_steps, looser_solver: None };
-        estimate(&run, auxiliary, pair, &ModellingError::default(), 1000.0)
-    };
     let exact = COVERAGE_FACTOR * 0.5 * DEEP_INCEPTION[4] * 2.0;
-    for elements in [10, 40] {
-        let budget = of(elements);
+    for elements_per_radius in [10, 40] {
+        let budget = of_agreeing(&Resolution { elements_per_radius, ..start }, &values, 1000.0);
         for found in [
             budget.part(ErrorSource::Steps, Quantity::EnergyRelease),
             budget.lasting(Quantity::EnergyRelease),
