@@ -29,7 +29,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::heat::properties::ThermalProperties;
 use crate::scene::fitted_constants::varying_counterface;
-use overlap::{Overlap, integral};
+use overlap::{integral, raised, share};
 
 /// A field over a disc of radius a: the coefficients of its least-squares fit by 1, ξ = x/a and η = 2r²/a² − 1, with x along the
 /// motion of the half-space and r from the centre: mean, slope and curvature.
@@ -105,21 +105,15 @@ pub struct HalfSpace {
     history: Vec<Interval>,
     /// The increment tried last, and the fluxes of its stages.
     trial: Option<(StepResponse, [Profile; 2])>,
-    of_rise: Quadrature,
-    of_height: Quadrature,
+    of_rise: Rules,
+    of_height: Rules,
 }
 
-#[derive(Clone, Debug)]
-struct Quadrature {
-    rule: GaussLegendre,
-    overlap: Overlap,
-}
+/// Of the convolution, and of the overlap of discs.
+type Rules = [GaussLegendre; 2];
 
-impl Quadrature {
-    fn new([points, of_overlap]: [usize; 2]) -> Self {
-        let rule = GaussLegendre::new(points).expect("there are rules of more than one point");
-        Self { rule, overlap: Overlap::new(of_overlap) }
-    }
+fn rules(points: [usize; 2]) -> Rules {
+    points.map(|points| GaussLegendre::new(points).expect("there are rules of more than one point"))
 }
 
 /// The disc over which the profile of a rise is taken: its radius, and how far its centre is downstream of that of the contact, in
@@ -175,8 +169,8 @@ impl HalfSpace {
             potential: 0.0,
             history: Vec::new(),
             trial: None,
-            of_rise: Quadrature::new(POINTS),
-            of_height: Quadrature::new(POINTS_OF_HEIGHT),
+            of_rise: rules(POINTS),
+            of_height: rules(POINTS_OF_HEIGHT),
         }
     }
 
@@ -308,17 +302,17 @@ impl HalfSpace {
 
     /// The same per flux.
     fn response(&self, heat: &Interval, at: Moment, disc: Disc) -> Matrix3<f64> {
-        let Quadrature { rule, overlap } = &self.of_rise;
-        let share = |spread, moved, _| overlap.share([disc.radius, heat.radius], spread, moved);
+        let [rule, of_overlap] = &self.of_rise;
+        let share = |spread, moved, _| share(of_overlap, [disc.radius, heat.radius], spread, moved);
         let per_flux = 2.0 / (self.effusivity * std::f64::consts::PI.sqrt());
         self.convolution(rule, (heat, at, disc), share) * per_flux
     }
 
     /// Height of the surface over a disc at `at` per flux of an interval before.
     fn raised(&self, heat: &Interval, at: Moment, disc: Disc) -> Matrix3<f64> {
-        let Quadrature { rule, overlap } = &self.of_height;
-        let raised =
-            |spread, moved, root| overlap.raised([disc.radius, heat.radius], spread, moved) * (2.0 * root);
+        let [rule, of_overlap] = &self.of_height;
+        let radii = [disc.radius, heat.radius];
+        let raised = |spread, moved, root| raised(of_overlap, radii, spread, moved) * (2.0 * root);
         self.convolution(rule, (heat, at, disc), raised) * self.expansion
     }
 

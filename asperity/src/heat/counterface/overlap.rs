@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use gauss_quad::GaussLegendre;
 use nalgebra::Matrix3;
 
-/// Step of v in the sum over Gaussian distributions, see [`Overlap::raised`]: the kernel is exact to 1e-3, its
+/// Step of v in the sum over Gaussian distributions, see [`raised`]: the kernel is exact to 1e-3, its
 /// integral over a slip to 2e-4.
 const SPREADING_STEP: f64 = 0.75;
 /// Terms of that sum at most; the last is spread 1e16 times as far as the heat.
@@ -18,70 +18,58 @@ const WIDTH: f64 = 6.5;
 const SLOPE: f64 = 4.0;
 const CURVATURE: f64 = 3.0;
 
-#[derive(Clone, Debug)]
-pub(super) struct Overlap {
-    rule: GaussLegendre,
+/// Profile over a disc of radius a of what had the profiles (1, 0, 0), (0, 1, 0) and (0, 0, 1) on a disc of radius b, the
+/// columns, and has since moved by `displacement` along x and spread by a Gaussian distribution of the standard deviation
+/// `spread` along each axis, with the quadrature `rule` over the distance of the centres.
+///
+/// With the centre of the disc b at ρ (cos ψ, sin ψ) from that of the disc a, the moments of the area that both have in
+/// common depend on ψ as 1, cos ψ and cos 2ψ, and the integral of the Gaussian distribution over ψ leaves modified Bessel
+/// functions:
+///
+/// ```text
+/// S = ∫ Σ_m C_m(ρ) ρ/σ² exp(−(ρ² + d²)/(2σ²)) I_m(ρd/σ²) dρ.
+/// ```
+pub(super) fn share(rule: &GaussLegendre, radii: [f64; 2], spread: f64, displacement: f64) -> Matrix3<f64> {
+    let [a, b] = radii;
+    let distance = displacement.abs();
+    let from = (distance - WIDTH * spread).max(0.0);
+    let to = (distance + WIDTH * spread).min(a + b);
+    let variance = spread * spread;
+    let density = |rho: f64| {
+        let [constant, cosine, double] = scaled_bessel(rho * distance / variance);
+        let exponent = -(rho - distance).powi(2) / (2.0 * variance);
+        let weight = rho / variance * exponent.exp();
+        moments(rho, radii, [weight * constant, weight * cosine, weight * double])
+    };
+    // The area has a kink where one disc leaves the other.
+    let kink = (a - b).abs().clamp(from, to.max(from));
+    let sum = integral(rule, from, kink, density) + integral(rule, kink, to, density);
+    let odd = if displacement < 0.0 { -1.0 } else { 1.0 };
+    let signs = Matrix3::new(1.0, odd, 1.0, odd, 1.0, odd, 1.0, odd, 1.0);
+    sum.component_mul(&signs) / (PI * a * a)
 }
 
-impl Overlap {
-    /// With this number of points of the quadrature over the distance.
-    pub fn new(points: usize) -> Self {
-        Self { rule: GaussLegendre::new(points).expect("there are rules of more than one point") }
-    }
-
-    /// Profile over a disc of radius a of what had the profiles (1, 0, 0), (0, 1, 0) and (0, 0, 1) on a disc of radius b, the
-    /// columns, and has since moved by `displacement` along x and spread by a Gaussian distribution of the standard deviation
-    /// `spread` along each axis.
-    ///
-    /// With the centre of the disc b at ρ (cos ψ, sin ψ) from that of the disc a, the moments of the area that both have in
-    /// common depend on ψ as 1, cos ψ and cos 2ψ, and the integral of the Gaussian distribution over ψ leaves modified Bessel
-    /// functions:
-    ///
-    /// ```text
-    /// S = ∫ Σ_m C_m(ρ) ρ/σ² exp(−(ρ² + d²)/(2σ²)) I_m(ρd/σ²) dρ.
-    /// ```
-    pub fn share(&self, radii: [f64; 2], spread: f64, displacement: f64) -> Matrix3<f64> {
-        let [a, b] = radii;
-        let distance = displacement.abs();
-        let from = (distance - WIDTH * spread).max(0.0);
-        let to = (distance + WIDTH * spread).min(a + b);
-        let variance = spread * spread;
-        let density = |rho: f64| {
-            let [constant, cosine, double] = scaled_bessel(rho * distance / variance);
-            let exponent = -(rho - distance).powi(2) / (2.0 * variance);
-            let weight = rho / variance * exponent.exp();
-            moments(rho, radii, [weight * constant, weight * cosine, weight * double])
-        };
-        // The area has a kink where one disc leaves the other.
-        let kink = (a - b).abs().clamp(from, to.max(from));
-        let sum = integral(&self.rule, from, kink, density) + integral(&self.rule, kink, to, density);
-        let odd = if displacement < 0.0 { -1.0 } else { 1.0 };
-        let signs = Matrix3::new(1.0, odd, 1.0, odd, 1.0, odd, 1.0, odd, 1.0);
-        sum.component_mul(&signs) / (PI * a * a)
-    }
-
-    /// The same profile of what has the transform erfc(kσ/√2) in place of the Gaussian distribution exp(−k²σ²/2): the displacement
-    /// of the surface by heat that has spread that far. With J. W. Craig's integral (MILCOM 1991, 571), sin φ = 1/cosh v,
-    ///
-    /// ```text
-    /// erfc(x) = (2/π) ∫ exp(−x² cosh² v)/cosh v dv,      v = 0 to ∞:
-    /// ```
-    ///
-    /// a sum of distributions of the standard deviations σ cosh v. The trapezoidal rule converges exponentially.
-    pub fn raised(&self, radii: [f64; 2], spread: f64, displacement: f64) -> Matrix3<f64> {
-        let mut sum = 0.5 * self.share(radii, spread, displacement);
-        for step in 1..=MOST_TERMS {
-            let wider = (f64::from(step) * SPREADING_STEP).cosh();
-            let term = self.share(radii, spread * wider, displacement) / wider;
-            sum += term;
-            // Heat that has moved away reaches the disc by the wide distributions alone.
-            let reaches = spread * wider > displacement.abs();
-            if reaches && term.amax() <= NEGLIGIBLE * sum.amax() {
-                break;
-            }
+/// The same profile of what has the transform erfc(kσ/√2) in place of the Gaussian distribution exp(−k²σ²/2): the displacement
+/// of the surface by heat that has spread that far. With J. W. Craig's integral (MILCOM 1991, 571), sin φ = 1/cosh v,
+///
+/// ```text
+/// erfc(x) = (2/π) ∫ exp(−x² cosh² v)/cosh v dv,      v = 0 to ∞:
+/// ```
+///
+/// a sum of distributions of the standard deviations σ cosh v. The trapezoidal rule converges exponentially.
+pub(super) fn raised(rule: &GaussLegendre, radii: [f64; 2], spread: f64, displacement: f64) -> Matrix3<f64> {
+    let mut sum = 0.5 * share(rule, radii, spread, displacement);
+    for step in 1..=MOST_TERMS {
+        let wider = (f64::from(step) * SPREADING_STEP).cosh();
+        let term = share(rule, radii, spread * wider, displacement) / wider;
+        sum += term;
+        // Heat that has moved away reaches the disc by the wide distributions alone.
+        let reaches = spread * wider > displacement.abs();
+        if reaches && term.amax() <= NEGLIGIBLE * sum.amax() {
+            break;
         }
-        sum * (2.0 / PI * SPREADING_STEP)
     }
+    sum * (2.0 / PI * SPREADING_STEP)
 }
 
 /// Σ C_m w_m over m = 0, 1, 2.
@@ -279,14 +267,15 @@ mod tests {
     /// moment; and inside of a wide disc a profile stays one.
     #[test]
     fn shares_have_their_limits() {
-        let overlap = Overlap::new(24);
+        let rule = GaussLegendre::new(24).unwrap();
+        let share = |radii, spread, displacement| share(&rule, radii, spread, displacement);
         for d in [0.0, 0.7, 1.5] {
-            let share = overlap.share([1.0, 1.0], 1e-5, d);
+            let share = share([1.0, 1.0], 1e-5, d);
             let exact = moments(d, [1.0, 1.0], [1.0; 3]) / PI;
             assert!((share - exact).abs().max() < 1e-4, "{d}: {share} {exact}");
         }
         for d in [-60.0, -30.0, 0.0f64, 30.0, 60.0] {
-            let share = overlap.share([1.0, 2.0], 30.0, d);
+            let share = share([1.0, 2.0], 30.0, d);
             let gauss = 2.0 * (-(d / 30.0).powi(2) / 2.0).exp() / 900.0;
             assert!((share[(0, 0)] / gauss - 1.0).abs() < 2e-3, "{d}");
             let gradient = d / 900.0;
@@ -295,14 +284,14 @@ mod tests {
         }
         for d in [-0.3f64, 0.3] {
             for spread in [1e-5f64, 0.03] {
-                let share = overlap.share([0.5, 1.0], spread, d);
+                let share = share([0.5, 1.0], spread, d);
                 // 2 (x − d)² + 2y² − 1 and the spread, with x = ξ/2 and y = υ/2.
                 let mean = 2.0 * d * d - 0.75 + 4.0 * spread * spread;
                 let exact = Matrix3::new(1.0, -d, mean, 0.0, 0.5, -2.0 * d, 0.0, 0.0, 0.25);
                 assert!((share - exact).abs().max() < 1e-5, "{spread} {d}: {share} {exact}");
             }
         }
-        assert!((overlap.share([10.0, 1.0], 0.5, 2.0)[(0, 0)] - 0.01).abs() < 1e-8);
-        assert_eq!(overlap.share([1.0, 1.0], 0.01, 3.0), Matrix3::zeros());
+        assert!((share([10.0, 1.0], 0.5, 2.0)[(0, 0)] - 0.01).abs() < 1e-8);
+        assert_eq!(share([1.0, 1.0], 0.01, 3.0), Matrix3::zeros());
     }
 }

@@ -16,38 +16,33 @@ pub struct Range {
     accepts: fn(f64) -> bool,
 }
 
-pub const POSITIVE: Range = Range { text: "a positive number", accepts: |x| x > 0.0 && x.is_finite() };
-const POSITIVE_OR_INFINITE: Range = Range { text: "a positive number or inf", accepts: |x| x > 0.0 };
+const fn range(text: &'static str, accepts: fn(f64) -> bool) -> Range {
+    Range { text, accepts }
+}
+
+pub const POSITIVE: Range = range("a positive number", |x| x > 0.0 && x.is_finite());
+const POSITIVE_OR_INFINITE: Range = range("a positive number or inf", |x| x > 0.0);
 pub const POSITIVE_FOR_LOG: Range =
-    Range { text: "a positive number; zero needs spacing = \"linear\"", accepts: POSITIVE.accepts };
-pub const NOT_NEGATIVE: Range =
-    Range { text: "zero or a positive number", accepts: |x| x >= 0.0 && x.is_finite() };
-const SHARE: Range = Range { text: "a number from 0 to 1", accepts: |x| (0.0..=1.0).contains(&x) };
+    range("a positive number; zero needs spacing = \"linear\"", POSITIVE.accepts);
+pub const NOT_NEGATIVE: Range = range("zero or a positive number", |x| x >= 0.0 && x.is_finite());
+const SHARE: Range = range("a number from 0 to 1", |x| (0.0..=1.0).contains(&x));
 /// Of an isotropic solid that is neither auxetic nor incompressible.
-const POISSON: Range =
-    Range { text: "a number from 0 to less than 0.5", accepts: |x| (0.0..0.5).contains(&x) };
+const POISSON: Range = range("a number from 0 to less than 0.5", |x| (0.0..0.5).contains(&x));
 /// Below, the plastic strain at a stress just above the yield strength, (σ/B)^(1/n), is less than the smallest number.
-const HARDENING_EXPONENT: Range =
-    Range { text: "a number from 0.02 to 10", accepts: |x| (0.02..=10.0).contains(&x) };
-const ACCURACY: Range = Range { text: "a number from 1e-6 to 0.5", accepts: |x| (1e-6..=0.5).contains(&x) };
+const HARDENING_EXPONENT: Range = range("a number from 0.02 to 10", |x| (0.02..=10.0).contains(&x));
+const ACCURACY: Range = range("a number from 1e-6 to 0.5", |x| (1e-6..=0.5).contains(&x));
 
 /// From far below an atom to far above a planet: lengths, areas and energies are numbers of normal precision.
-const RADIUS: Range =
-    Range { text: "a positive number from 1e-15 to 1e15", accepts: |x| (1e-15..=1e15).contains(&x) };
+const RADIUS: Range = range("a positive number from 1e-15 to 1e15", |x| (1e-15..=1e15).contains(&x));
 /// Up to far above the speed of sound in any solid.
 const FASTEST: f64 = 1e6;
-pub const SLIP_RATE: Range =
-    Range { text: "zero or a positive number up to 1e6", accepts: |x| (0.0..=FASTEST).contains(&x) };
+pub const SLIP_RATE: Range = range("zero or a positive number up to 1e6", |x| (0.0..=FASTEST).contains(&x));
 /// Far beyond the slip at which friction is steady.
-const SLIP_DISTANCE: Range =
-    Range { text: "a number from 0 to 10000", accepts: |x| (0.0..=1e4).contains(&x) };
-const STEP_DISTANCE: Range =
-    Range { text: "a positive number up to 10000", accepts: |x| x > 0.0 && x <= 1e4 };
+const SLIP_DISTANCE: Range = range("a number from 0 to 10000", |x| (0.0..=1e4).contains(&x));
+const STEP_DISTANCE: Range = range("a positive number up to 10000", |x| x > 0.0 && x <= 1e4);
 /// Negative in a reversed slide.
-const STEP_SLIP_RATE: Range = Range {
-    text: "a number from -1e6 to 1e6 other than 0",
-    accepts: |x| x != 0.0 && (-FASTEST..=FASTEST).contains(&x),
-};
+const STEP_SLIP_RATE: Range =
+    range("a number from -1e6 to 1e6 other than 0", |x| x != 0.0 && (-FASTEST..=FASTEST).contains(&x));
 
 impl Range {
     pub fn accepts(&self, value: f64) -> bool {
