@@ -113,17 +113,11 @@ mod tests {
         // As it is written, it is read.
         let written = assert_written_is_read(&scene);
         assert!(written.contains("slip_distance = \"steady\""), "{written}");
-        let request = written.replace("[loading]", "[table]\n[loading]");
-        let request: String = request
-            .lines()
-            .filter(|l| !l.starts_with("interference") && !l.starts_with("slip_rate"))
-            .map(|l| format!("{l}\n"))
-            .collect();
-        let refused = crate::scene::file::parse_request(&request, "this test", &[]).unwrap_err().to_string();
-        assert!(
-            refused.contains("loading.slip_distance = \"steady\": must be a positive number"),
-            "{refused}"
-        );
+        let request = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
+                       [loading]\nslip_distance = \"steady\"\n[table]\n";
+        let refused = crate::scene::file::parse_request(request, "this test", &[]).unwrap_err().to_string();
+        let words = "loading.slip_distance = \"steady\": must be a positive number";
+        assert!(refused.contains(words), "{refused}");
     }
 
     #[test]

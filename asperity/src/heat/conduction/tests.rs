@@ -42,6 +42,14 @@ impl ContactHeat for Uniform {
     }
 }
 
+/// A step without heat given to the body.
+fn step(conduction: &mut Conduction, dt: f64, heat: &dyn ContactHeat) -> HeatBalance {
+    let none = vec![0.0; conduction.body_length()];
+    let (_, balance) = conduction.advance(dt, &none, heat).unwrap();
+    conduction.commit();
+    balance
+}
+
 /// Uniform flux over a disc on a half space (Carslaw & Jaeger, 2nd ed., §10.5): centre
 /// temperature T = (2q√(αt)/k)[1/√π − ierfc(a/(2√(αt)))].
 const DISC: [(f64, f64); 4] = [(0.1, 0.352882), (1.0, 0.729097), (2.0, 0.804583), (10.0, 0.911164)];
@@ -59,19 +67,17 @@ fn disc_source(
     let a = source.disc_radius();
     source.flux = 1.0 / a;
     let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap().with_properties(properties);
-    let none = vec![0.0; mesh.field_length(1)];
     let (mut t, mut dt) = (0.0, 1e-4 * a * a);
     let (mut given, mut lost) = (0.0, 0.0);
     let mut checks = DISC.into_iter();
     let mut next = checks.next();
     while let Some((fourier, linear)) = next {
         let end = fourier * a * a;
-        let step = if t + 1.01 * dt > end { end - t } else { dt };
-        let (_, balance) = conduction.advance(step, &none, &source).unwrap();
-        conduction.commit();
+        let length = if t + 1.01 * dt > end { end - t } else { dt };
+        let balance = step(&mut conduction, length, &source);
         given += balance.contact;
         lost += balance.base;
-        t += step;
+        t += length;
         dt *= 1.15;
         if t >= end * (1.0 - 1e-12) {
             let centre = conduction.committed.rise[conduction.contact_places[0]];
@@ -172,12 +178,10 @@ impl ContactHeat for Softening<'_> {
 /// input. The heat flows of the balance are evaluated at the computed temperatures, so that the balance closes
 /// only if these solve the nonlinear equations.
 fn march(conduction: &mut Conduction, heat: &dyn ContactHeat, mut dt: f64, steps: usize) -> f64 {
-    let none = vec![0.0; conduction.committed.rise.len()];
     let (mut given, mut lost) = (0.0, 0.0);
-    for step in 0..steps {
-        let (rise, balance) = conduction.advance(dt, &none, heat).unwrap_or_else(|e| panic!("{step}: {e}"));
-        assert!(rise.iter().all(|t| t.is_finite()), "step {step}");
-        conduction.commit();
+    for n in 0..steps {
+        let balance = step(conduction, dt, heat);
+        assert!(conduction.committed.rise.iter().all(|t| t.is_finite()), "step {n}");
         given += balance.contact;
         lost += balance.base + balance.gap;
         dt *= 2.0;
@@ -283,13 +287,10 @@ fn isothermal_disc_conducts_four_k_a() {
         let mesh = mesh(16, Collocation::axisymmetric());
         let held = Held(Uniform::new(&mesh));
         let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap().with_properties(properties);
-        let none = vec![0.0; mesh.field_length(1)];
         let mut flow = 0.0;
         for _ in 0..12 {
             // L-stable: steps far longer than the diffusion time of the body end in its steady state.
-            let (_, balance) = conduction.advance(1e4, &none, &held).unwrap();
-            conduction.commit();
-            flow = balance.base / 1e4;
+            flow = step(&mut conduction, 1e4, &held).base / 1e4;
         }
         // Half a disc; the body is a hemisphere 100 times as large, which conducts 1 % better.
         let exact = 0.5 * 4.0 * held.0.disc_radius() * potential;
@@ -299,10 +300,8 @@ fn isothermal_disc_conducts_four_k_a() {
 
 /// Over a time, in twenty increments.
 fn heat_for(conduction: &mut Conduction, heat: &dyn ContactHeat, time: f64) {
-    let none = vec![0.0; conduction.body_length()];
     for _ in 0..20 {
-        conduction.advance(time / 20.0, &none, heat).unwrap();
-        conduction.commit();
+        step(conduction, time / 20.0, heat);
     }
 }
 

@@ -2,6 +2,11 @@ use tables::closed_forms::partial_slip::constant_shear;
 
 use super::*;
 
+/// A contact of unit load and area.
+fn contact(slip: f64, friction: f64, stick_fraction: f64) -> SlideState {
+    SlideState { slip, friction, stick_fraction, load: 1.0, area: 1.0, ..SlideState::default() }
+}
+
 /// Q = 1 − e^−s, that sticks throughout, in increments of a fiftieth of the slip but at least 0.02, and short ones
 /// around s = 3, in which Q falls once by a little.
 fn stepwise() -> Vec<SlideState> {
@@ -13,8 +18,7 @@ fn stepwise() -> Vec<SlideState> {
     }
     let fallen = slips.iter().position(|&slip| slip > 3.0).expect("goes on past it");
     let state = |(n, &slip): (usize, &f64)| {
-        let friction = 1.0 - (-slip).exp() - if n == fallen { 1e-3 } else { 0.0 };
-        SlideState { slip, friction, load: 1.0, area: 1.0, stick_fraction: 1.0, ..SlideState::default() }
+        contact(slip, 1.0 - (-slip).exp() - if n == fallen { 1e-3 } else { 0.0 }, 1.0)
     };
     slips.iter().enumerate().map(state).collect()
 }
@@ -29,8 +33,8 @@ fn slip_and_energy_are_those_of_full_mobilisation() {
         let before = history.last().copied().unwrap_or_default();
         let work = before.work + 0.25 * (slip - before.slip) * (friction + before.friction);
         let stick_fraction = (1.0 - slip / 1.2).max(0.0);
-        let state = SlideState { slip, friction, work, stick_fraction, ..SlideState::default() };
-        history.push(SlideState { load: 2.0, area: 1.0, mobilised: friction, ..state });
+        let state = contact(slip, friction, stick_fraction);
+        history.push(SlideState { load: 2.0, work, mobilised: friction, ..state });
     }
     let found = inception(&history);
     assert_eq!((found.criterion, found.friction), (InceptionCriterion::FullSlip, 1.0));
@@ -44,17 +48,7 @@ fn slip_and_energy_are_those_of_full_mobilisation() {
 #[test]
 fn inception_is_as_sure_as_the_stick_area_is_smooth() {
     let slides = |fraction: fn(f64) -> f64| {
-        let at = |slip: f64| {
-            let work = slip * slip;
-            SlideState {
-                slip,
-                friction: slip,
-                work,
-                area: 1.0,
-                stick_fraction: fraction(slip),
-                ..SlideState::default()
-            }
-        };
+        let at = |slip: f64| SlideState { work: slip * slip, ..contact(slip, slip, fraction(slip)) };
         inception(&[0.0, 0.4, 0.8, 0.95, 0.995].map(at))
     };
     let smooth = slides(|slip| 1.0 - slip);
@@ -79,16 +73,7 @@ fn a_contact_that_sticks_again_is_uncertain_by_the_slips_between() {
         let at = |(slip, stick_fraction): (f64, f64)| {
             let mobilised = 1.0 - stick_fraction;
             let (friction, work) = (if slip > 1.0 { later } else { mobilised }, 0.25 * slip);
-            SlideState {
-                slip,
-                friction,
-                work,
-                stick_fraction,
-                mobilised,
-                load: 1.0,
-                area: 1.0,
-                ..Default::default()
-            }
+            SlideState { work, mobilised, ..contact(slip, friction, stick_fraction) }
         };
         slips.into_iter().zip(fractions).map(at).collect()
     };
@@ -121,14 +106,10 @@ fn a_contact_that_sticks_again_is_uncertain_by_the_slips_between() {
 /// A contact with Q = s and G = s²/2 up to s = 0.9, and then these slips, frictions and stick area fractions.
 fn sticking_until(later: &[(f64, f64, f64)]) -> Vec<SlideState> {
     let at = |&(slip, friction, stick_fraction): &(f64, f64, f64)| SlideState {
-        slip,
-        friction,
         work: 0.25 * slip * slip,
         load: 2.0 - slip,
-        area: 1.0,
         mobilised: 1.0 - 0.1 * stick_fraction.powf(1.5),
-        stick_fraction,
-        ..SlideState::default()
+        ..contact(slip, friction, stick_fraction)
     };
     let first = [(0.0, 0.0, 1.0), (0.4, 0.4, 0.6), (0.6, 0.6, 0.4), (0.9, 0.9, 0.06)];
     first.iter().chain(later).map(at).collect()
@@ -175,13 +156,8 @@ fn static_friction_is_the_largest_until_the_contact_slips() {
 #[test]
 fn slip_of_the_tractions_of_the_press_is_no_inception() {
     let at = |(slip, stick_fraction, transverse): (f64, f64, f64)| SlideState {
-        slip,
-        friction: slip,
-        load: 1.0,
-        area: 1.0,
-        stick_fraction,
         transverse,
-        ..SlideState::default()
+        ..contact(slip, slip, stick_fraction)
     };
     let history =
         [(0.0, 1.0, 1.0), (0.01, 0.0, 0.95), (0.4, 0.4, 0.6), (0.9, 0.11, 0.1), (1.0, 0.0, 0.01)].map(at);
@@ -227,12 +203,7 @@ fn other_thresholds_are_passed_earlier() {
 /// step or at a reversal of the motion no fall is noticed.
 #[test]
 fn a_sudden_fall_of_a_later_step_is_noticed() {
-    let at = |(step, slip, friction): (usize, f64, f64)| SlideState {
-        step,
-        slip,
-        friction,
-        ..SlideState::default()
-    };
+    let at = |(step, slip, friction): (usize, f64, f64)| SlideState { step, ..contact(slip, friction, 0.0) };
     let history = |fall: [(f64, f64); 2], step: usize| {
         let [one, other] = fall;
         [(0, 0.0, 0.0), (0, 0.1, 0.1), (0, 2.0, 1.0), (step, one.0, one.1), (step, other.0, other.1)].map(at)

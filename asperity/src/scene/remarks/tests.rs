@@ -14,11 +14,23 @@ fn remarks(overrides: &[&str]) -> Vec<String> {
     scene_with(overrides).remarks()
 }
 
+const HARDENS: &str = "material.hardening={law=\"linear\", modulus=1e9}";
+
+/// Remarks about a material that hardens.
+fn remarks_hardened(overrides: &[&str]) -> Vec<String> {
+    remarks(&[&[HARDENS], overrides].concat())
+}
+
+/// The only remark, which has these words.
+fn only(mut said: Vec<String>, words: &str) -> String {
+    assert!(said.len() == 1 && said[0].contains(words), "{words}: {said:?}");
+    said.remove(0)
+}
+
 #[test]
 fn a_material_without_hardening_draws_the_hardening_line_to_give() {
-    let said = remarks(&[]);
-    assert!(said.len() == 1 && said[0].contains("does not harden"), "{said:?}");
-    let (_, line) = said[0].split_once("hardening = ").unwrap();
+    let said = only(remarks(&[]), "does not harden");
+    let (_, line) = said.split_once("hardening = ").unwrap();
     let (line, _) = line.split_once(" (Pa").unwrap();
     for cure in [
         &*format!("material.hardening={line}"),
@@ -32,28 +44,18 @@ fn a_material_without_hardening_draws_the_hardening_line_to_give() {
 
 #[test]
 fn a_counterface_without_thermal_constants_is_said_to_be_isothermal() {
-    let elastic = [
-        "material.hardening={law=\"linear\", modulus=1e9}",
-        "counterface.youngs_modulus=2e11",
-        "counterface.poisson_ratio=0.3",
-    ];
-    let said = remarks(&elastic);
-    assert!(said.len() == 1 && said[0].contains("heat_partition = 0.5 of the frictional heat"), "{said:?}");
+    let elastic = ["counterface.youngs_modulus=2e11", "counterface.poisson_ratio=0.3"];
+    only(remarks_hardened(&elastic), "heat_partition = 0.5 of the frictional heat");
     let conducts =
         ["counterface.thermal_conductivity=40", "counterface.density=8e3", "counterface.specific_heat=500"];
     for cure in [&["loading.slip_rate=0"][..], &["model.heat=off"], &conducts] {
-        assert_eq!(remarks(&[&elastic[..], cure].concat()), Vec::<String>::new(), "{cure:?}");
+        assert_eq!(remarks_hardened(&[&elastic[..], cure].concat()), Vec::<String>::new(), "{cure:?}");
     }
 }
 
 #[test]
 fn an_interference_in_metres_is_converted() {
-    let of = |interference: &str| {
-        remarks(&[
-            "material.hardening={law=\"linear\", modulus=1e9}",
-            &format!("loading.interference={interference}"),
-        ])
-    };
+    let of = |interference: &str| remarks_hardened(&[&format!("loading.interference={interference}")]);
     let scene = scene_with(&[]);
     let critical = scene.material.elastic_plastic().critical_interference(scene.radius);
     let said = of("2e-6");
@@ -65,35 +67,29 @@ fn an_interference_in_metres_is_converted() {
 #[test]
 fn a_counterface_that_yields_first_is_named() {
     let hard = "material.yield_strength=900e6";
-    let of = |more: &[&str]| remarks(&[&["material.hardening={law=\"linear\", modulus=1e9}"], more].concat());
     // 792 MPa; 862 MPa and a conductivity over temperature.
     for preset in ["steel-4340", "titanium-6al4v"] {
         let counterface = format!("counterface.preset={preset}");
-        let said = of(&[hard, &counterface, "counterface.elastic=false"]);
-        assert!(
-            said.len() == 1 && said[0].contains(preset) && said[0].contains("before the asperity"),
-            "{said:?}"
-        );
-        assert_eq!(of(&[&counterface]), Vec::<String>::new());
-        assert_eq!(of(&[hard, &counterface, "counterface.density=5e3"]), Vec::<String>::new());
+        let said =
+            only(remarks_hardened(&[hard, &counterface, "counterface.elastic=false"]), "before the asperity");
+        assert!(said.contains(preset), "{said}");
+        assert_eq!(remarks_hardened(&[&counterface]), Vec::<String>::new());
+        assert_eq!(remarks_hardened(&[hard, &counterface, "counterface.density=5e3"]), Vec::<String>::new());
     }
 }
 
 #[test]
 fn values_without_effect_are_named() {
-    let hardens = "material.hardening={law=\"linear\", modulus=1e9}";
-    let of = |more: &[&str]| remarks(&[&[hardens], more].concat());
     for law in ["full-stick", "frictionless"] {
-        let said = of(&[&format!("interface.law={law}"), "interface.strength_factor=0.9"]);
-        assert!(said.len() == 1 && said[0].contains("strength_factor = 0.9 has no effect"), "{said:?}");
+        let said = remarks_hardened(&[&format!("interface.law={law}"), "interface.strength_factor=0.9"]);
+        only(said, "strength_factor = 0.9 has no effect");
     }
-    let capped = of(&["interface.law=coulomb", "interface.strength_factor=0.9"]);
+    let capped = remarks_hardened(&["interface.law=coulomb", "interface.strength_factor=0.9"]);
     assert_eq!(capped, Vec::<String>::new());
     let beside = ["counterface.preset=steel-4340", "interface.heat_partition=0.3"];
-    let said = of(&beside);
-    assert!(said.len() == 1 && said[0].contains("heat_partition = 0.3 has no effect"), "{said:?}");
+    only(remarks_hardened(&beside), "heat_partition = 0.3 has no effect");
     let resistance = [&beside[..], &["counterface.contact_conductance=1e6"]].concat();
-    assert_eq!(of(&resistance), Vec::<String>::new());
+    assert_eq!(remarks_hardened(&resistance), Vec::<String>::new());
     let defaults = |more: &[&str]| scene_with(more).defaults_in_effect().join("\n");
     assert!(defaults(&[]).contains("interface.heat_partition"));
     assert!(!defaults(&beside[..1]).contains("interface.heat_partition"));
@@ -107,12 +103,11 @@ fn constants_of_a_preset_at_another_temperature_are_noticed() {
         "loading.temperature=700",
         "interface.strength_factor=0.9",
     ];
-    let found = remarks(&own);
-    assert!(found.len() == 1 && found[0].contains("= 700 K, where the softening"), "{found:?}");
+    let found = only(remarks(&own), "= 700 K, where the softening");
     // (1200 - 700)/(1200 - 298) of the yield strength.
     let strength = scene_with(&own).material.yield_strength * 500.0 / 902.0;
     let strength = format!("write yield_strength = {}", plain(rounded(strength, 3)));
-    assert!(found[0].ends_with(&strength), "{found:?}");
+    assert!(found.ends_with(&strength), "{found}");
     // Hardening softens alike.
     let hardening = "material.hardening={law=\"linear\", modulus=902e6}";
     let found = remarks(&[&own[..], &[hardening]].concat());
@@ -126,8 +121,7 @@ fn constants_of_a_preset_at_another_temperature_are_noticed() {
         said(&["loading.temperature=700", "material.yield_strength=70e6"])[0]
             .contains("if 7e7 Pa is the strength where the factor is 1, write")
     );
-    let cold = said(&["loading.temperature=200"]);
-    assert!(cold.len() == 1 && cold[0].ends_with("if it is in degrees Celsius, write 473.15"), "{cold:?}");
+    only(said(&["loading.temperature=200"]), "if it is in degrees Celsius, write 473.15");
     let request =
         "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n[table]\ntemperature = [200, 298]\n";
     let cold = crate::scene::file::parse_request(request, "this test", &[]).unwrap().remarks();
@@ -146,15 +140,11 @@ fn constants_of_a_preset_at_another_temperature_are_noticed() {
 #[test]
 fn a_tensile_strength_below_yield_is_noticed() {
     let of = |strength: &str| {
-        remarks(&[
-            "material.hardening={law=\"linear\", modulus=1e9}",
-            &format!("material.tensile_strength={strength}"),
-            "material.uniform_elongation=0.2",
-        ])
+        let tensile = format!("material.tensile_strength={strength}");
+        remarks_hardened(&[&tensile, "material.uniform_elongation=0.2"])
     };
     assert_eq!(of("400e6"), Vec::<String>::new());
-    let said = of("200e6");
-    assert!(said.len() == 1 && said[0].contains("below yield_strength = 3e8 Pa"), "{said:?}");
+    only(of("200e6"), "below yield_strength = 3e8 Pa");
 }
 
 /// Plateau of the hardening, and plastic strains up to which shear localises.
@@ -171,8 +161,8 @@ fn shear_localises_where_the_body_does_not_harden() {
             ],
             0.03,
         ),
-        (vec!["material.hardening={ law = \"linear\", modulus = 1e9 }"], 0.0),
-        (vec!["material.hardening={ law = \"linear\", modulus = 1e9 }", "interface.strength=current"], 0.0),
+        (vec![HARDENS], 0.0),
+        (vec![HARDENS, "interface.strength=current"], 0.0),
     ] {
         let scene = scene_with(&set);
         assert_eq!(scene.material.hardening.plateau(), plateau, "{set:?}");

@@ -86,21 +86,16 @@ mod tests {
 
     use Quantity::*;
 
-    fn on(elements: usize, sectors: usize) -> Resolution {
-        let (elements_per_radius, sectors) = (Some(elements), Some(sectors));
-        Resolution::choose(&Numerics { accuracy: 0.02, elements_per_radius, sectors })
+    /// At ω₀/ω_c on elements per contact radius and sectors.
+    fn correction(law: &FrictionLaw, interference: f64, on: (usize, usize)) -> Correction<'_> {
+        let (elements_per_radius, sectors) = (Some(on.0), Some(on.1));
+        let resolution = Resolution::choose(&Numerics { accuracy: 0.02, elements_per_radius, sectors });
+        Correction { inception: InceptionCriterion::FullSlip, law, has_slid: true, interference, resolution }
     }
 
-    /// Relative change of a value at ω₀/ω_c.
-    fn change(
-        quantity: Quantity,
-        law: &FrictionLaw,
-        interference: f64,
-        (elements, sectors): (usize, usize),
-    ) -> f64 {
-        let resolution = on(elements, sectors);
-        let inception = InceptionCriterion::FullSlip;
-        Correction { inception, law, has_slid: true, interference, resolution }.factor(quantity) - 1.0
+    /// Relative change of a value.
+    fn change(quantity: Quantity, law: &FrictionLaw, interference: f64, on: (usize, usize)) -> f64 {
+        correction(law, interference, on).factor(quantity) - 1.0
     }
 
     const STRENGTH: FrictionLaw = FrictionLaw::ShearStrength;
@@ -141,8 +136,7 @@ mod tests {
             (FrictionLaw::FullStick, InceptionCriterion::Stiffness),
             (COULOMB, full_slip),
         ] {
-            let (interference, resolution) = (200.0, on(10, 4));
-            let correction = Correction { inception, law: &law, has_slid: true, interference, resolution };
+            let correction = Correction { inception, ..correction(&law, 200.0, COARSE) };
             let of = |quantity| correction.factor(quantity);
             for (force, coefficient) in [(Friction, Mu), (FrictionStatic, MuStatic)] {
                 let product = of(coefficient) * of(Load);
