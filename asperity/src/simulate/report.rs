@@ -57,8 +57,7 @@ pub(super) fn report(
         relative.map(|relative| relative * run.values.value(quantity))
     };
     let budget = budget.unwrap_or_else(|| ErrorBudget::unknown(of_press));
-    let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
-    let outcome = outcome(problem, (&runner.pressed.scene, programme), &mut run, budget, account);
+    let outcome = outcome(runner, &mut run, budget, account);
     let error = match obstacle {
         Some(error) => Some(next_not_begun(error, &run)),
         None => {
@@ -255,13 +254,8 @@ fn warning_of_strength(scene: &Scene, plastic_strain: f64) -> Option<Warning> {
 }
 
 /// The whole outcome in SI units.
-fn outcome(
-    problem: &Problem,
-    (scene, programme): (&Scene, &[LoadingStep]),
-    run: &mut Run,
-    budget: ErrorBudget,
-    account: Account,
-) -> Outcome {
+fn outcome(runner: &Runner<'_>, run: &mut Run, budget: ErrorBudget, account: Account) -> Outcome {
+    let Pressed { scene, problem, .. } = runner.pressed;
     let units = problem.units;
     let correction = correction(scene, run);
     let budget = budget.scaled(|quantity| correction.factor(quantity));
@@ -273,7 +267,7 @@ fn outcome(
         steady: run.values.steady,
         budget,
         press: press_history(problem, &run.press.increments, &correction),
-        slide: slide_history((problem, programme), &run.history, &correction),
+        slide: slide_history((problem, &runner.conditions.programme), &run.history, &correction),
         grid: ContactGrid {
             theta: run.contact.angles.clone(),
             r: run.contact.radii.iter().map(|r| r * units.length).collect(),

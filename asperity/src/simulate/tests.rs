@@ -347,15 +347,9 @@ fn negligible_heat_is_left_out() {
     for (capacity, first) in [(5.0, 1.0 / 6.0), (1.0, 1.0 / (1.0 + 5f64.sqrt()))] {
         let mut scene = hot_scene("steel-4340", 2.0, 1e-5, "auto");
         let material = &scene.material;
-        (
-            scene.counterface.thermal_conductivity,
-            scene.counterface.specific_heat,
-            scene.counterface.density,
-        ) = (
-            Some(5.0 * material.thermal_conductivity),
-            Some(capacity * material.specific_heat),
-            Some(material.density),
-        );
+        scene.counterface.thermal_conductivity = Some(5.0 * material.thermal_conductivity);
+        scene.counterface.specific_heat = Some(capacity * material.specific_heat);
+        scene.counterface.density = Some(material.density);
         let scalars = simulate(&scene, &Unwatched).unwrap().scalars;
         let partition = scalars[Quantity::HeatPartition];
         let steady = 1.0 / (1.0 + 5.0 * scene.constriction(scalars[Quantity::ContactRadius].value));

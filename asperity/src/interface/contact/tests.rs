@@ -13,9 +13,14 @@ fn wave(n: usize, scale: f64, phase: f64) -> Vec<f64> {
     (0..n).map(|i| scale * (i as f64 * 0.61 + phase).sin()).collect()
 }
 
-/// A limit of the shear traction at the points that touch, at the displacement `u`; the edge is beyond none of the others.
-fn where_it_touches(contact: &mut Contact, u: &[f64], flat: FlatPosition, limit: f64) -> Vec<f64> {
-    contact.evaluate(|place| u[place], flat, &vec![0.0; contact.len()]);
+/// A limit of the shear traction at the points that touch, at a displacement; the edge is beyond none of the others.
+fn where_it_touches(
+    contact: &mut Contact,
+    u: impl Fn(usize) -> f64,
+    flat: FlatPosition,
+    limit: f64,
+) -> Vec<f64> {
+    contact.evaluate(u, flat, &vec![0.0; contact.len()]);
     contact.trial.iter().map(|state| if state.pressure > 0.0 { limit } else { 0.0 }).collect()
 }
 
@@ -35,7 +40,7 @@ fn tangent_agrees_with_finite_differences() {
     let u = wave(n, 1e-4, 0.2);
     let d = wave(n, 1.0, 1.3);
     for (limit, stick, slip) in [(f64::INFINITY, true, false), (5e-4, false, true), (6.0, true, true)] {
-        let limit = where_it_touches(&mut contact, &u, flat, limit);
+        let limit = where_it_touches(&mut contact, |place| u[place], flat, limit);
         let h = 1e-10;
         let at = |contact: &mut Contact, t: f64| {
             let x: Vec<f64> = u.iter().zip(&d).map(|(a, b)| a + t * b).collect();
@@ -58,11 +63,10 @@ fn tangent_agrees_with_finite_differences() {
 /// count.
 #[test]
 fn points_that_touch_during_a_motion_do_not_count_as_stick() {
-    let (mesh, mut contact) = contact();
-    let u = vec![0.0; mesh.field_length(3)];
+    let (_, mut contact) = contact();
     let take = |contact: &mut Contact, interference: f64, displacement: f64, limit: f64| {
         let flat = FlatPosition { interference, displacement };
-        let limit = where_it_touches(contact, &u, flat, limit);
+        let limit = where_it_touches(contact, |_| 0.0, flat, limit);
         contact.evaluate(|_| 0.0, flat, &limit);
         contact.commit();
         contact.stick_fraction(&contact.committed)
@@ -84,13 +88,12 @@ fn points_that_touch_during_a_motion_do_not_count_as_stick() {
 /// forces of partly covered cells contain their coverage already.
 #[test]
 fn the_mobilised_strength_is_a_ratio_of_forces() {
-    let (mesh, mut contact) = contact();
-    let u = vec![0.0; mesh.field_length(3)];
+    let (_, mut contact) = contact();
     contact.contact_fraction.iter_mut().enumerate().for_each(|(i, share)| *share = 1.0 / (1 + i % 3) as f64);
     let mut at = |displacement: f64, limit: f64| {
         let flat = FlatPosition { interference: 1e-3, displacement };
-        let limit = where_it_touches(&mut contact, &u, flat, limit);
-        contact.evaluate(|place| u[place], flat, &limit);
+        let limit = where_it_touches(&mut contact, |_| 0.0, flat, limit);
+        contact.evaluate(|_| 0.0, flat, &limit);
         let forces: f64 = (0..contact.len())
             .map(|i| contact.areas[i] * contact.trial[i].traction[0].hypot(contact.trial[i].traction[1]))
             .sum();
@@ -108,13 +111,12 @@ fn the_mobilised_strength_is_a_ratio_of_forces() {
 
 #[test]
 fn slip_keeps_the_traction_at_the_limit_and_along_the_motion() {
-    let (mesh, mut contact) = contact();
-    let u = vec![0.0; mesh.field_length(3)];
+    let (_, mut contact) = contact();
     let limit = vec![0.3; contact.len()];
-    contact.evaluate(|p| u[p], FlatPosition { interference: 1e-3, displacement: 0.0 }, &limit);
+    contact.evaluate(|_| 0.0, FlatPosition { interference: 1e-3, displacement: 0.0 }, &limit);
     contact.commit();
     let flat = FlatPosition { interference: 1e-3, displacement: 1e-2 };
-    contact.evaluate(|p| u[p], flat, &limit);
+    contact.evaluate(|_| 0.0, flat, &limit);
     for i in (0..contact.len()).filter(|&i| contact.trial[i].status != Status::Open) {
         assert_eq!(contact.trial[i].status, Status::Slip);
         assert!((contact.along_x(i, contact.trial[i].traction) - 0.3).abs() < 1e-12);
@@ -124,7 +126,7 @@ fn slip_keeps_the_traction_at_the_limit_and_along_the_motion() {
     assert!((work.of_flat - work.friction).abs() < 1e-12 * work.of_flat);
     contact.commit();
     // Reversal: stick until the spring force is reversed.
-    contact.evaluate(|p| u[p], FlatPosition { interference: 1e-3, displacement: 1e-2 - 1e-8 }, &limit);
+    contact.evaluate(|_| 0.0, FlatPosition { interference: 1e-3, displacement: 1e-2 - 1e-8 }, &limit);
     assert!(contact.trial.iter().any(|state| state.status == Status::Stick));
 }
 
