@@ -8,15 +8,8 @@ use tables::law::{LookupError, Response};
 pub(super) struct MeanOverAges {
     /// With the relative error of Q/P times Q.
     sum: Response,
-    quadrature_error: QuadratureError,
-}
-
-/// Errors of the quadrature over ages, a sum over ranges.
-#[derive(Default)]
-struct QuadratureError {
-    load: f64,
-    friction: f64,
-    area: f64,
+    /// Errors of the quadrature of load, friction and area, sums over the ranges of ages.
+    quadrature_errors: [f64; 3],
 }
 
 impl MeanOverAges {
@@ -29,21 +22,20 @@ impl MeanOverAges {
         if weight <= 0.0 {
             return Ok(());
         }
-        let [mut load, mut friction, mut area] = [0.0; 3];
+        let mut differences = [0.0; 3];
         // The age is u³ of the range: friction rises steeply at first, and changes with √s.
         for ((abscissa, of_point), excess) in MANY.points().zip(MANY.excess) {
             let u = 0.5 * (1.0 + abscissa);
             let of_point = 1.5 * of_point * u * u * weight;
             let here = response(u.powi(3))?;
-            load += of_point * excess * here.load.value;
-            friction += of_point * excess * here.friction.value;
-            area += of_point * excess * here.area.value;
+            for (difference, part) in differences.iter_mut().zip([here.load, here.friction, here.area]) {
+                *difference += of_point * excess * part.value;
+            }
             self.add(of_point, &here);
         }
-        let error = &mut self.quadrature_error;
-        error.load += load.abs();
-        error.friction += friction.abs();
-        error.area += area.abs();
+        for (error, difference) in self.quadrature_errors.iter_mut().zip(differences) {
+            *error += difference.abs();
+        }
         Ok(())
     }
 
@@ -64,7 +56,7 @@ impl MeanOverAges {
 
     /// The mean, with the error of the quadrature.
     pub(super) fn response(self) -> Response {
-        let Self { mut sum, quadrature_error: QuadratureError { load, friction, area } } = self;
+        let Self { mut sum, quadrature_errors: [load, friction, area] } = self;
         sum.load.error += load;
         sum.friction.error += friction;
         sum.area.error += area;

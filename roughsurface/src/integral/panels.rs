@@ -89,7 +89,7 @@ pub struct Panel {
 /// Panels, and finer ones made of them on demand.
 #[derive(Clone, Debug, Default)]
 pub struct PanelTree {
-    panels: Vec<Panel>,
+    pub panels: Vec<Panel>,
     /// Interference at each point, m: of every panel a multiple of [`LANES`], the last repeated.
     interference: Vec<f64>,
     /// Quantities times the weight of the point, m.
@@ -97,11 +97,6 @@ pub struct PanelTree {
 }
 
 impl PanelTree {
-    /// The panel of that index.
-    pub fn panel(&self, index: usize) -> &Panel {
-        &self.panels[index]
-    }
-
     /// Removes every panel.
     pub fn clear(&mut self) {
         self.panels.clear();
@@ -161,11 +156,6 @@ impl PanelTree {
             }
         };
         Ok(std::iter::once(first).chain(second))
-    }
-
-    /// Marks a panel as too coarse.
-    pub fn mark_too_coarse(&mut self, index: usize) {
-        self.panels[index].too_coarse = true;
     }
 
     /// Integral over a panel with summits of density `heights` above a flat at `separation`,

@@ -40,12 +40,18 @@ pub struct HeightIntegral<'a> {
     pub(super) heights: &'a dyn Heights,
     asperity_density: f64,
     pub(super) tolerance: f64,
-    /// Panels that every separation shares, and those between edges of the density.
-    kept: PanelTree,
-    passing: PanelTree,
+    /// Panels: [`KEPT`] and [`PASSING`].
+    trees: [PanelTree; 2],
     /// Panels that together cover ω from zero upwards.
     roots: Vec<Root>,
 }
+
+/// The tree of the panels that every separation shares, and that of those between edges of the density.
+const KEPT: usize = 0;
+const PASSING: usize = 1;
+
+/// Tree and index of a panel.
+type Place = (usize, usize);
 
 /// A panel between kinks of the law, sampled only where there are summits: a table may have missing cells
 /// elsewhere.
@@ -69,8 +75,7 @@ enum Fit {
 
 #[derive(Clone, Copy)]
 struct Leaf {
-    kept: bool,
-    panel: usize,
+    place: Place,
     value: Sums,
     error: Errors,
 }
@@ -99,8 +104,7 @@ impl<'a> HeightIntegral<'a> {
             heights,
             asperity_density,
             tolerance,
-            kept: PanelTree::default(),
-            passing: PanelTree::default(),
+            trees: Default::default(),
             roots: breaks.into_iter().map(root).collect(),
         }
     }
@@ -117,7 +121,7 @@ impl<'a> HeightIntegral<'a> {
 
     /// Panels fine enough for the tolerance, by ascending interference.
     fn refine(&mut self, separation: f64) -> Result<Vec<Leaf>, LookupError> {
-        self.passing.clear();
+        self.trees[PASSING].clear();
         let mut leaves = self.cover(separation)?;
         for _ in 0..MOST_ROUNDS {
             let (total, error) = sums(&leaves);
@@ -129,19 +133,18 @@ impl<'a> HeightIntegral<'a> {
             let poor = |error: &Errors| excessive(error, share, tolerance, &total);
             let mut finer = Vec::with_capacity(2 * leaves.len());
             for leaf in leaves {
-                let panel = self.tree(leaf.kept).panel(leaf.panel);
+                let (tree, index) = leaf.place;
+                let Panel { from, to, .. } = self.trees[tree].panels[index];
                 // The spacing of numbers ends the halving.
-                if !poor(&leaf.error) || panel.to - panel.from < 1e-14 * panel.to {
+                if !poor(&leaf.error) || to - from < 1e-14 * to {
                     finer.push(leaf);
                     continue;
                 }
-                for panel in self.finer(leaf.kept, leaf.panel)? {
-                    finer.push(self.leaf(leaf.kept, panel, separation));
+                for panel in self.trees[tree].finer(&self.asperity, index)? {
+                    finer.push(self.leaf((tree, panel), separation));
                 }
                 // A panel that is too coarse here mostly is at the next separation as well.
-                if leaf.kept {
-                    self.kept.mark_too_coarse(leaf.panel);
-                }
+                self.trees[tree].panels[index].too_coarse = true;
             }
             leaves = finer;
         }
@@ -156,19 +159,19 @@ impl<'a> HeightIntegral<'a> {
         let mut leaves = Vec::new();
         // Panels leave the stack by ascending interference.
         pending.reverse();
-        while let Some((kept, index)) = pending.pop() {
-            match self.fit(kept, index, separation, negligible) {
+        while let Some(place @ (tree, index)) = pending.pop() {
+            match self.fit(place, separation, negligible) {
                 Fit::Negligible => {}
-                Fit::Fine => leaves.push(self.leaf(kept, index, separation)),
+                Fit::Fine => leaves.push(self.leaf(place, separation)),
                 Fit::Coarse => {
-                    let finer = self.finer(kept, index)?;
-                    pending.extend(finer.rev().map(|panel| (kept, panel)));
+                    let finer = self.trees[tree].finer(&self.asperity, index)?;
+                    pending.extend(finer.rev().map(|panel| (tree, panel)));
                 }
                 Fit::CutAt(edge) => {
-                    let Panel { from, to, .. } = *self.tree(kept).panel(index);
-                    let first = self.passing.add(&self.asperity, from, edge)?;
-                    let second = self.passing.add(&self.asperity, edge, to)?;
-                    pending.extend([(false, second), (false, first)]);
+                    let Panel { from, to, .. } = self.trees[tree].panels[index];
+                    let first = self.trees[PASSING].add(&self.asperity, from, edge)?;
+                    let second = self.trees[PASSING].add(&self.asperity, edge, to)?;
+                    pending.extend([(PASSING, second), (PASSING, first)]);
                 }
             }
         }
@@ -208,7 +211,7 @@ impl<'a> HeightIntegral<'a> {
         &mut self,
         separation: f64,
         (negligible, reach): (f64, f64),
-    ) -> Result<Vec<(bool, usize)>, LookupError> {
+    ) -> Result<Vec<Place>, LookupError> {
         let mut panels = Vec::new();
         let critical = self.asperity.critical_interference();
         let (lowest, highest) = self.heights.support();
@@ -228,19 +231,19 @@ impl<'a> HeightIntegral<'a> {
             }
             let panel = match root.panel {
                 Some(panel) => panel,
-                None => self.kept.add(&self.asperity, root.from, root.to)?,
+                None => self.trees[KEPT].add(&self.asperity, root.from, root.to)?,
             };
             root.panel = Some(panel);
-            panels.push((true, panel));
+            panels.push((KEPT, panel));
         }
         Ok(panels)
     }
 
     /// How a panel fits the density at `separation` (m), with the bound of [`weight`](Self::weight).
-    fn fit(&self, kept: bool, index: usize, separation: f64, negligible: f64) -> Fit {
+    fn fit(&self, (tree, index): Place, separation: f64, negligible: f64) -> Fit {
         let critical = self.asperity.critical_interference();
         let (lowest, highest) = self.heights.support();
-        let Panel { from, to, too_coarse, .. } = *self.tree(kept).panel(index);
+        let Panel { from, to, too_coarse, .. } = self.trees[tree].panels[index];
         let bottom = (separation + critical * from * from).max(lowest);
         let top = (separation + critical * to * to).min(highest);
         if bottom >= top {
@@ -275,23 +278,10 @@ impl<'a> HeightIntegral<'a> {
         [lowest, highest].map(root).into_iter().find(inside).map_or(Fit::Fine, Fit::CutAt)
     }
 
-    fn tree(&self, kept: bool) -> &PanelTree {
-        if kept { &self.kept } else { &self.passing }
-    }
-
-    fn finer(
-        &mut self,
-        kept: bool,
-        panel: usize,
-    ) -> Result<impl DoubleEndedIterator<Item = usize> + use<>, LookupError> {
-        let tree = if kept { &mut self.kept } else { &mut self.passing };
-        tree.finer(&self.asperity, panel)
-    }
-
-    fn leaf(&self, kept: bool, panel: usize, separation: f64) -> Leaf {
-        let (value, error) =
-            self.tree(kept).integral(panel, self.heights, separation, self.asperity.has_additional());
-        Leaf { kept, panel, value, error }
+    fn leaf(&self, place @ (tree, index): Place, separation: f64) -> Leaf {
+        let with_additional = self.asperity.has_additional();
+        let (value, error) = self.trees[tree].integral(index, self.heights, separation, with_additional);
+        Leaf { place, value, error }
     }
 
     /// From sums per asperity to values per nominal area.
