@@ -101,10 +101,8 @@ pub fn figure(results: &Results) -> Figure {
 /// Friction against the slip since a step of the slip rate.
 fn since_step(prediction: &Prediction, response: &RateStepResponse) -> Panel {
     let slip: Vec<f64> = response.slip[1..].iter().map(|slip| 1e6 * slip).collect();
-    let curve = |row: usize| {
-        let (y, error) = values_and_errors(response.rows[row].mu[1..].iter().copied());
-        Curve::new(row_label(prediction, row), slip.clone(), y).with_error(error)
-    };
+    let curve =
+        |row: usize| curve_of(row_label(prediction, row), &slip, response.rows[row].mu[1..].iter().copied());
     let curves = chosen(response.rows.len(), MOST_CURVES).into_iter().map(curve).collect();
     let title = format!("Step from {} to {} m/s", response.rates[0], response.rates[1]);
     let (x, y) = (Axis::logarithmic("Slip since the step (µm)"), Axis::linear(FRICTION_LABEL));
@@ -122,8 +120,7 @@ fn compared(results: &Results) -> Panel {
         let first = prediction.friction.iter().map(|cells| &cells[0]).collect();
         (prediction.query.loading.values(), format!("this, {}", rate_label(rates[0])), first)
     };
-    let (y, error) = values_and_errors(cells.iter().map(|cell| cell.sliding.mu));
-    let mut curves = vec![Curve::new(label, values.to_vec(), y).with_error(error)];
+    let mut curves = vec![curve_of(label, values, cells.iter().map(|cell| cell.sliding.mu))];
     for comparison in &results.comparisons {
         let mu = |row: usize| comparison.friction[row].sliding.mu.value;
         let y = (0..values.len()).map(|place| mu(place.min(comparison.friction.len() - 1))).collect();
@@ -149,8 +146,10 @@ pub(super) fn chosen(count: usize, most: usize) -> Vec<usize> {
     (0..most).map(|i| i * (count - 1) / (most - 1)).collect()
 }
 
-fn values_and_errors(estimates: impl Iterator<Item = Estimate>) -> (Vec<f64>, Vec<f64>) {
-    estimates.map(|estimate| (estimate.value, estimate.error)).unzip()
+/// A curve of values with their errors.
+fn curve_of(label: String, x: &[f64], y: impl Iterator<Item = Estimate>) -> Curve {
+    let (values, errors) = y.map(|estimate| (estimate.value, estimate.error)).unzip();
+    Curve::new(label, x.to_vec(), values).with_error(errors)
 }
 
 fn row_label(prediction: &Prediction, row: usize) -> String {
@@ -172,8 +171,7 @@ fn over_slip_rate(prediction: &Prediction) -> Panel {
     let rows = chosen(prediction.friction.len(), MOST_CURVES);
     for (style, &row) in rows.iter().enumerate() {
         let mu = prediction.friction[row].iter().map(|cell| cell.sliding.mu);
-        let (y, error) = values_and_errors(mu);
-        let points = Curve::new(row_label(prediction, row), rates.clone(), y).with_error(error);
+        let points = curve_of(row_label(prediction, row), rates, mu);
         match &prediction.rate_laws[row].chosen {
             Ok(fit) => {
                 curves.push(points.drawn_as(Drawn::Markers, style));
@@ -228,8 +226,7 @@ fn over_loading(
     let mut curves = Vec::new();
     let mut add = |label: String, x: &[f64], cells: &mut dyn Iterator<Item = &Friction>, name| {
         let quantity = Quantity::named(name);
-        let (y, error) = values_and_errors(cells.map(|cell| quantity.estimate(cell).scaled(factor)));
-        curves.push(Curve::new(label, x.to_vec(), y).with_error(error));
+        curves.push(curve_of(label, x, cells.map(|cell| quantity.estimate(cell).scaled(factor))));
     };
     for (prefix, name) in shown {
         if one_loading(prediction) {
@@ -254,10 +251,9 @@ fn along_the_slide(prediction: &Prediction) -> Panel {
     for row in rows {
         for &rate in &rates {
             let history = prediction.friction[row][rate].mu_history.iter().copied();
-            let (y, error) = values_and_errors(history);
             let slip_rate = rate_label(prediction.query.slip_rates[rate]);
             let label = format!("{}, {slip_rate}", row_label(prediction, row));
-            curves.push(Curve::new(label, prediction.slip.clone(), y).with_error(error));
+            curves.push(curve_of(label, &prediction.slip, history));
         }
     }
     let (x, y) = (Axis::logarithmic("Slip s (m)"), Axis::linear(FRICTION_LABEL));
