@@ -91,11 +91,6 @@ impl Topography {
     pub(crate) fn mean_square(&self) -> f64 {
         self.heights.iter().map(|z| z * z).sum::<f64>() / self.heights.len() as f64
     }
-
-    /// Share of the points without a value.
-    pub fn undefined(&self) -> f64 {
-        self.heights.iter().filter(|height| height.is_nan()).count() as f64 / self.heights.len() as f64
-    }
 }
 
 /// An error in a topography, in one line.

@@ -2,6 +2,7 @@
 //! single-precision numbers row by row (Gwyddion user guide, Gwyddion Simple Field).
 
 use super::length;
+use super::number::Number;
 use crate::topography::Topography;
 
 pub(super) const MAGIC: &[u8] = b"Gwyddion Simple Field 1.0\n";
@@ -38,7 +39,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
     if data.len() / 4 < count {
         return Err(format!("holds {} of {columns} x {rows} heights", data.len() / 4));
     }
-    let number = |bytes: &[u8; 4]| f64::from(f32::from_le_bytes(*bytes));
-    let heights = data.as_chunks().0.iter().take(count).map(|bytes| vertical * number(bytes)).collect();
+    let number = Number::of("<f4").expect("a known type");
+    let heights = number.read(data).take(count).map(|z| vertical * z).collect();
     Ok(Topography::map((rows, height / rows as f64), (columns, width / columns as f64), heights))
 }

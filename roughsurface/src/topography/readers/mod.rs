@@ -86,16 +86,6 @@ pub fn read(file: &Path, reading: &Reading) -> Result<Topography, TopographyErro
     parsed.and_then(checked).map_err(error)
 }
 
-/// Heights that do not come from a file, checked like those of a file: undefined points are filled in.
-pub fn checked(mut topography: Topography) -> Result<Topography, String> {
-    check(&mut topography)?;
-    if let Some(warning) = plausibility::units(&topography) {
-        topography.remarks.retain(|remark| *remark != Warning::NoUnit);
-        topography.remarks.push(warning);
-    }
-    Ok(topography)
-}
-
 fn without_lengths(reading: &Reading) -> Result<(), String> {
     match reading.unit.is_some() || reading.pixel.is_some() {
         true => Err("states its own lengths; --unit and --pixel are for text and npy".into()),
@@ -103,7 +93,8 @@ fn without_lengths(reading: &Reading) -> Result<(), String> {
     }
 }
 
-fn check(topography: &mut Topography) -> Result<(), String> {
+/// Heights that do not come from a file, checked like those of a file: undefined points are filled in.
+pub fn checked(mut topography: Topography) -> Result<Topography, String> {
     if topography.columns == 1 {
         (topography.rows, topography.columns) = (1, topography.rows);
         topography.column_step = topography.row_step;
@@ -112,7 +103,7 @@ fn check(topography: &mut Topography) -> Result<(), String> {
         // Files may have none, as it has no meaning.
         topography.row_step = topography.column_step;
     }
-    let Topography { rows, columns, row_step, column_step, .. } = *topography;
+    let Topography { rows, columns, row_step, column_step, .. } = topography;
     if columns < FEWEST_POINTS || (rows != 1 && rows < FEWEST_POINTS) {
         return Err(format!(
             "holds {rows} x {columns} points; at least {FEWEST_POINTS} in each direction are needed"
@@ -123,12 +114,11 @@ fn check(topography: &mut Topography) -> Result<(), String> {
             return Err(format!("distance between {name}s = {} m: must be positive", plain(step)));
         }
     }
-    for height in &mut topography.heights {
-        if !height.is_finite() {
-            *height = f64::NAN;
-        }
+    for height in topography.heights.iter_mut().filter(|height| !height.is_finite()) {
+        *height = f64::NAN;
     }
-    let undefined = topography.undefined();
+    let heights = &topography.heights;
+    let undefined = heights.iter().filter(|height| height.is_nan()).count() as f64 / heights.len() as f64;
     if undefined > MOST_UNDEFINED {
         return Err(format!(
             "{:.1} % of the points have no height; at most {:.0} % can be filled in",
@@ -136,14 +126,18 @@ fn check(topography: &mut Topography) -> Result<(), String> {
             100.0 * MOST_UNDEFINED
         ));
     }
-    let defined = || topography.heights.iter().copied();
-    let (low, high) = (defined().fold(f64::INFINITY, f64::min), defined().fold(f64::NEG_INFINITY, f64::max));
-    if low == high {
-        return Err(format!("all heights are {} m", plain(low)));
+    let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
+    let highest = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if lowest == highest {
+        return Err(format!("all heights are {} m", plain(lowest)));
     }
     if undefined > 0.0 {
-        fill::fill(topography);
+        fill::fill(&mut topography);
         topography.remarks.push(Warning::Filled { share: undefined });
     }
-    Ok(())
+    if let Some(warning) = plausibility::units(&topography) {
+        topography.remarks.retain(|remark| *remark != Warning::NoUnit);
+        topography.remarks.push(warning);
+    }
+    Ok(topography)
 }

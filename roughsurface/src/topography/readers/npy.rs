@@ -33,14 +33,14 @@ pub(super) fn parse(bytes: &[u8], reading: &Reading) -> Result<Topography, Strin
             count.parse().map_err(|_| format!("shape of the npy file = ({shape}): must be numbers of points"))
         })
         .collect::<Result<_, _>>()?;
-    let count = points.iter().try_fold(1usize, |count, points| count.checked_mul(*points));
+    let count = points.iter().fold(1usize, |count, points| count.saturating_mul(*points));
     let data = &bytes[start + length..];
-    if count.is_none_or(|count| data.len() / number.size < count) {
+    if data.len() / number.size < count {
         return Err(format!("holds {} numbers, ({shape}) are stated", data.len() / number.size));
     }
     let mut remarks = Vec::new();
     let unit = reading.unit(None, &mut remarks);
-    let heights: Vec<f64> = number.read(data).take(count.unwrap_or_default()).map(|z| unit * z).collect();
+    let heights: Vec<f64> = number.read(data).take(count).map(|z| unit * z).collect();
     let step = reading.pixel()?;
     let topography = match points[..] {
         [_] => Topography::profile(step, heights),
