@@ -243,8 +243,7 @@ pub(crate) mod tests {
 
     pub(crate) fn curve(mu: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<Estimate>) {
         let slip = slip_grid([1.0; 2], 97);
-        let values = slip.iter().map(|&s| Estimate::exact(mu(s)));
-        let values = values.collect();
+        let values = slip.iter().map(|&s| Estimate::exact(mu(s))).collect();
         (slip, values)
     }
 

@@ -53,6 +53,7 @@ fn warnings_of_the_prediction_are_exported() {
     assert_eq!(json["warnings"].as_array().unwrap().len(), warnings.lines().count());
 }
 
+/// The temperature is that of the table, which the query does not repeat.
 #[test]
 fn every_format_has_the_friction_of_the_file() {
     let folder = folder();
@@ -164,18 +165,6 @@ fn several_files_are_a_dependence_on_temperature() {
     folder.run_well("predict closed.toml --table model:jackson-green -o closed.nc --quiet");
     folder.refused("export closed.nc closed.nc -o f.inp", "must have an initial temperature each");
     folder.refused("export 298.nc 298.nc -o f.inp", "298 K, as another one");
-}
-
-/// The query does not repeat the temperature of a table that has only one.
-#[test]
-fn the_temperature_is_that_of_the_table() {
-    let folder = folder();
-    let mut slice = table(&Weakening::new());
-    slice.set_metadata(Metadata { temperature: 350.0, ..slice.metadata().clone() });
-    slice.write(&folder.path("at.nc")).unwrap();
-    folder.run_well("predict surface.toml --table at.nc -o friction.nc --quiet");
-    folder.run_well("export friction.nc -o friction.csv");
-    assert!(folder.read("friction.csv").lines().skip(1).all(|line| line.starts_with("350,")));
 }
 
 #[test]

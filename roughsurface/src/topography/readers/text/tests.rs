@@ -6,6 +6,10 @@ fn read(text: &str) -> Result<Topography, String> {
     parse(text, &Reading::default())
 }
 
+/// Of micrometres two of which lie between points, and of metres.
+const MICROMETRES: Reading = Reading { unit: Some(1e-6), pixel: Some(2e-6) };
+const METRES: Reading = Reading { unit: Some(1.0), pixel: Some(1.0) };
+
 #[test]
 fn columns_of_positions_and_heights_in_any_order() {
     let map = read("0 0 1\n2 0 3\n1 0 2\n0 1 4\n2 1 6 # last\n1 1 5\n").unwrap();
@@ -46,8 +50,7 @@ fn unknown_units_of_a_header_are_refused() {
 
 #[test]
 fn lines_may_end_with_a_carriage_return() {
-    let reading = Reading { unit: Some(1e-6), pixel: Some(2e-6) };
-    let map = parse("1 2 3 4\r5 6 7 8\r", &reading).unwrap();
+    let map = parse("1 2 3 4\r5 6 7 8\r", &MICROMETRES).unwrap();
     assert_eq!((map.rows, map.columns), (2, 4));
 }
 
@@ -55,8 +58,7 @@ fn lines_may_end_with_a_carriage_return() {
 fn matrices_need_a_pixel_or_a_header() {
     let text = "1 2 3 4\n5 6 7 nan\n";
     assert!(read(text).unwrap_err().contains("--pixel"));
-    let reading = Reading { unit: Some(1e-6), pixel: Some(2e-6) };
-    let map = parse(text, &reading).unwrap();
+    let map = parse(text, &MICROMETRES).unwrap();
     assert_eq!((map.rows, map.columns, map.row_step), (2, 4, 2e-6));
     assert!((map.heights[5] - 6e-6).abs() < 1e-20 && map.heights[7].is_nan());
     let gwyddion = "# Channel: Topo\n# Width: 8.0 µm\n# Height: 3.0 µm\n# Value units: nm\n";
@@ -73,12 +75,11 @@ fn matrices_need_a_pixel_or_a_header() {
 
 #[test]
 fn positions_beside_a_matrix_are_no_heights() {
-    let reading = Reading { unit: Some(1.0), pixel: Some(1.0) };
     let spreadsheet = ",0,2,4,6\n0,1,3,2,5\n2,4,4,1,3\n4,2,2,6,1\n";
-    assert!(parse(spreadsheet, &reading).unwrap_err().contains("positions, not heights"));
+    assert!(parse(spreadsheet, &METRES).unwrap_err().contains("positions, not heights"));
     // A plane is even too, but whole; a missing corner is that of a rough surface.
     for heights in ["0,2,4,6\n2,4,6,8\n4,6,8,10\n", ",0.1,4,6\n0,1,3,2\n2,4,4,1\n"] {
-        assert_eq!(parse(heights, &reading).unwrap().columns, 4, "{heights}");
+        assert_eq!(parse(heights, &METRES).unwrap().columns, 4, "{heights}");
     }
 }
 
@@ -106,9 +107,7 @@ fn points_left_out_of_an_even_profile_have_no_height() {
 #[test]
 fn commas_separate_or_are_decimal() {
     let heights = |text: &str| {
-        let text = format!("{text}\n").repeat(2);
-        let reading = Reading { unit: Some(1.0), pixel: Some(1.0) };
-        let map = parse(&text, &reading).unwrap();
+        let map = parse(&format!("{text}\n").repeat(2), &METRES).unwrap();
         (map.heights[..map.columns].to_vec(), map.remarks)
     };
     let decimal = vec![Warning::DecimalCommas];
@@ -129,7 +128,7 @@ fn commas_separate_or_are_decimal() {
     }
     assert!(heights("1,***,2,3").0[1].is_nan());
     // A last cell may be empty too; a separator at the end of every line is none.
-    let map = |text: &str| parse(text, &Reading { unit: Some(1.0), pixel: Some(1.0) }).unwrap().heights;
+    let map = |text: &str| parse(text, &METRES).unwrap().heights;
     for text in ["1,2,3,4\n5,6,7,\n", "1,2,3,4\n,6,7,8\n"] {
         assert_eq!(map(text).iter().filter(|height| height.is_nan()).count(), 1, "{text}");
     }
