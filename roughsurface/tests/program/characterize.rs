@@ -1,7 +1,7 @@
 //! Topographies in every format, against SurfaceTopography (tests/data/make_topographies.py), and
 //! from there to a prediction.
 
-use crate::folder::{Folder, data, json, stderr};
+use crate::folder::{Folder, data, json, stderr, surface};
 use roughsurface::surface::file::SurfaceFile;
 use roughsurface::topography::Topography;
 use roughsurface::topography::characterize::{Detrend, Options, characterize};
@@ -216,9 +216,8 @@ fn topographies_and_surface_files_are_told_apart() {
         let query = "--cutoff 1.6um --table steel-4340 --pressure 1e5 --slip-rate 1";
         folder.run_well(&format!("predict titled.txt {unit} {query} -o f.nc -q"));
     }
-    let surface = "\u{feff}[surface]\nasperity_density = 1e8\nasperity_radius = 1e-3\nheights = { distribution = \"gaussian\", \
-                   std = 4e-7 }\n[query]\npressure = 1e6\nslip_rate = 1\n";
-    folder.write("marked.surface", surface);
+    let surface = surface(1e8, 1e-3, 4e-7, "pressure = 1e6\nslip_rate = 1");
+    folder.write("marked.surface", format!("\u{feff}{surface}"));
     folder.run_well("predict marked.surface --table steel-4340 -o f.nc -q");
     // As spreadsheets write "Unicode".
     let utf16: Vec<u8> = format!("\u{feff}{text}").encode_utf16().flat_map(u16::to_le_bytes).collect();

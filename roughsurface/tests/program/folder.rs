@@ -10,6 +10,18 @@ pub fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name)
 }
 
+/// A surface file of Gaussian summits with that density (1/m²), radius and standard deviation (m), and the lines of its query.
+pub fn surface(density: f64, radius: f64, std: f64, query: &str) -> String {
+    format!(
+        "[surface]\nasperity_density = {density:e}\nasperity_radius = {radius:e}\n\
+         heights = {{ distribution = \"gaussian\", std = {std:e} }}\n[query]\n{query}\n"
+    )
+}
+
+/// The section of a surface file with the material of closed forms, that of the demonstration.
+pub const MATERIAL: &str =
+    "[material]\nyoungs_modulus = 200e9\npoisson_ratio = 0.3\nyield_strength = 400e6\n";
+
 /// A folder for one test, removed at its end.
 pub struct Folder(tempfile::TempDir);
 

@@ -1,7 +1,7 @@
 //! From a topography to friction in one command, and the query on the command line.
 
 use crate::characterize::numbers_have_units;
-use crate::folder::{Folder, data, json, stderr, stdout};
+use crate::folder::{Folder, data, json, stderr, stdout, surface};
 use roughsurface::surface::file::SurfaceFile;
 
 fn map(name: &str) -> String {
@@ -179,10 +179,8 @@ fn a_material_names_a_shipped_table() {
 #[test]
 fn keys_on_the_command_line_replace_those_of_the_file() {
     let folder = Folder::new();
-    let surface = "[surface]\nasperity_density = 1e8\nasperity_radius = 1e-3\n\
-                   heights = { distribution = \"gaussian\", std = 0.4e-6 }\n\
-                   [query]\npressure = [1e6, 1e7]\nslip_rate = { from = 0.1, to = 10, points = 3 }\n";
-    folder.write("s.toml", surface);
+    let query = "pressure = [1e6, 1e7]\nslip_rate = { from = 0.1, to = 10, points = 3 }";
+    folder.write("s.toml", surface(1e8, 1e-3, 4e-7, query));
     let law = format!("--table model:hertz {STEEL} --extrapolate");
     let said =
         stderr(&folder.run_well(&format!("predict {} {law} --cutoff 1.6um -v -o f.nc", map("map.x3p"))));

@@ -1,24 +1,15 @@
 //! No output takes the place of an input or of another output.
 
-use crate::folder::{Folder, data};
+use crate::folder::{Folder, data, surface};
 use std::path::Path;
-
-const PLAIN: &str = r#"
-[surface]
-asperity_density = 1e10
-asperity_radius = 100e-6
-heights = { distribution = "gaussian", std = 1e-7 }
-[query]
-pressure = 1e6
-slip_rate = 1.0
-"#;
 
 /// A folder with a table, a copy and a link of it, a surface, one that reads its heights and the copy, and a map.
 fn folder() -> Folder {
     let gaussian = r#"distribution = "gaussian", std = 1e-7"#;
-    let measured = PLAIN.replace(gaussian, r#"distribution = "sample", file = "heights.txt""#);
+    let plain = surface(1e10, 1e-4, 1e-7, "pressure = 1e6\nslip_rate = 1.0");
+    let measured = plain.replace(gaussian, r#"distribution = "sample", file = "heights.txt""#);
     let folder = Folder::with(&(measured + "[uncertainty]\ntables = { conductivity = \"up.nc\" }\n"));
-    folder.write("plain.toml", PLAIN);
+    folder.write("plain.toml", plain);
     folder.write("heights.txt", "0 1e-7 2e-7 3e-7\n");
     let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tables/data/copper.nc");
     for name in ["table.nc", "up.nc"] {

@@ -3,26 +3,16 @@
 use tables::table::Metadata;
 
 use crate::demonstration::{Weakening, table};
-use crate::folder::{Folder, stderr};
+use crate::folder::{Folder, MATERIAL, stderr, surface};
 
-/// Summits as sharp as the last interference asks for: the radius is 1 µm.
-const SHARP: &str = r#"
-[surface]
-asperity_density = 1e10
-asperity_radius = 1e-6
-heights = { distribution = "gaussian", std = 1e-7 }
-[query]
-separation = -1e-3
-slip_rate = 1.0
-[material]
-youngs_modulus = 200e9
-poisson_ratio = 0.3
-yield_strength = 400e6
-"#;
+/// Summits as sharp as the last interference asks for: the radius is 1 µm. `loading` is a line of the query.
+fn sharp(loading: &str) -> Folder {
+    Folder::with(&(surface(1e10, 1e-6, 1e-7, &format!("{loading}\nslip_rate = 1.0")) + MATERIAL))
+}
 
 #[test]
 fn no_closed_form_is_taken_to_an_indentation_of_a_thousand_radii() {
-    let folder = Folder::with(SHARP);
+    let folder = sharp("separation = -1e-3");
     for name in tables::closed_forms::NAMES {
         let predict = format!("predict surface.toml --table model:{name} -o f.nc");
         folder.refused(&format!("{predict} -q"), "above 0.4 of their radius");
@@ -35,7 +25,7 @@ fn no_closed_form_is_taken_to_an_indentation_of_a_thousand_radii() {
 /// Slides at held load are no response of a summit, whose interference is that of the surface.
 #[test]
 fn a_table_of_slides_at_held_load_is_refused() {
-    let folder = Folder::with(&SHARP.replace("separation = -1e-3", "pressure = 1e5"));
+    let folder = sharp("pressure = 1e5");
     let mut held = table(&Weakening::new());
     let scene = "[loading]\ncontrol = \"load\"\n".to_owned();
     held.set_metadata(Metadata { scene, ..held.metadata().clone() });
@@ -48,7 +38,8 @@ fn a_table_of_slides_at_held_load_is_refused() {
 /// A table has the constants that it was made with.
 #[test]
 fn constants_that_a_table_has_other_values_of_are_named() {
-    let folder = Folder::with_table(&SHARP.replace("separation = -1e-3", "separation = 0"));
+    let folder = sharp("separation = 0");
+    table(&Weakening::new()).write(&folder.path("table.nc")).unwrap();
     let predict = "predict surface.toml --table table.nc -o f.nc";
     assert!(!stderr(&folder.run(predict)).contains("[material]"));
     let other = format!("{predict} --set material.yield_strength=1e9");
@@ -60,11 +51,7 @@ fn constants_that_a_table_has_other_values_of_are_named() {
 /// Density, radius and heights of a surface go together.
 #[test]
 fn a_density_in_another_unit_is_noticed() {
-    let material = "[material]\nyoungs_modulus = 2e11\npoisson_ratio = 0.3\nyield_strength = 4e8\n";
-    let folder = Folder::with(&format!(
-        "[surface]\nasperity_density = 1e10\nasperity_radius = 2e-5\n\
-         heights = {{ distribution = \"gaussian\", std = 2e-7 }}\n[query]\npressure = 1e3\nslip_rate = 1\n{material}"
-    ));
+    let folder = Folder::with(&(surface(1e10, 2e-5, 2e-7, "pressure = 1e3\nslip_rate = 1") + MATERIAL));
     let predict = "predict surface.toml --table model:jackson-green --extrapolate -o f.nc";
     assert!(!stderr(&folder.run_well(predict)).contains("Nayak"));
     // 1/mm2.
@@ -80,8 +67,7 @@ fn heights_in_other_units_or_with_decimal_commas_are_noticed() {
     let folder = Folder::with(surface);
     let predict = "predict surface.toml --table model:hertz -o f.nc";
     folder.write("heights.txt", "0.3\n-0.2\n0.1\n");
-    let material = "[material]\nyoungs_modulus = 2e11\npoisson_ratio = 0.3\nyield_strength = 4e8\n";
-    folder.write("surface.toml", format!("{surface}{material}"));
+    folder.write("surface.toml", format!("{surface}{MATERIAL}"));
     let said = stderr(&folder.run(&format!("{predict} --extrapolate")));
     assert!(said.contains("surface.heights.std = 0.205") && said.contains("if it is in um"), "{said}");
     for text in ["0,3\n-0,2\n# end\n", "3,77191e-08\n-1,2e-07\n0\n"] {
@@ -104,7 +90,7 @@ fn signals_end_a_computation_unless_they_are_ignored() {
     /// A second is promised, the machine may be busy.
     const LATEST: Duration = Duration::from_secs(5);
 
-    let folder = Folder::with(&SHARP.replace("separation = -1e-3", "pressure = 1e5"));
+    let folder = sharp("pressure = 1e5");
     let input = "surface.toml --table model:jackson-green --extrapolate -q -o f.nc";
     let predict = format!("predict {input} --pressure 1e4..1e6:1000 --slip-rate 0.1..10:100 --compare all");
     let sample = format!("sample {input} --asperities 1000000 --realizations 100000");
