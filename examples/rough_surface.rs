@@ -11,7 +11,7 @@ use std::path::Path;
 
 use roughsurface::friction::{Settings, predict};
 use roughsurface::surface::heights::Gaussian;
-use roughsurface::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
+use roughsurface::surface::query::{NormalLoading, Query, Surface};
 use tables::closed_forms::{ElasticPlastic, closed_form};
 use tables::law::AsperityLaw;
 use tables::table::Table;
@@ -35,15 +35,7 @@ fn main() -> anyhow::Result<()> {
     println!("asperity law {}, plasticity index {:.2}", law.name(), (deviation / critical).sqrt());
 
     // 3. The question: nominal pressures and slip rates, the load held while it slides.
-    let query = Query {
-        loading: NormalLoading::Pressure(vec![1e6, 1e7, 1e8]),
-        slip_rates: vec![0.1, 1.0, 10.0],
-        control: LoadingControl::Load,
-        contact_life: ContactLife::default(),
-        interaction: Interaction::None,
-        nominal_size: None,
-        rate_step: None,
-    };
+    let query = Query::new(NormalLoading::Pressure(vec![1e6, 1e7, 1e8]), vec![0.1, 1.0, 10.0]);
     let prediction = predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ())?;
 
     // 4. The result: one row per pressure, one column per slip rate.

@@ -13,7 +13,7 @@ use divan::counter::ItemsCount;
 use roughsurface::friction::{Settings, predict};
 use roughsurface::sampling::finite_surface::{Sampling, sample};
 use roughsurface::surface::heights::Gaussian;
-use roughsurface::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
+use roughsurface::surface::query::{NormalLoading, Query, Surface};
 use tables::interpolation::InterpolatedTable;
 use tables::numbers::Spacing::Log;
 
@@ -33,23 +33,11 @@ fn surface() -> Surface {
     }
 }
 
-fn query(pressures: Vec<f64>, slip_rates: Vec<f64>) -> Query {
-    Query {
-        loading: NormalLoading::Pressure(pressures),
-        slip_rates,
-        control: LoadingControl::default(),
-        contact_life: ContactLife::default(),
-        interaction: Interaction::default(),
-        nominal_size: None,
-        rate_step: None,
-    }
-}
-
 /// 50 pressures × 20 slip rates × 200 slips.
 #[divan::bench(sample_count = 10)]
 fn prediction(bencher: Bencher) {
     let (law, surface, settings) = (law(), surface(), Settings::default());
-    let query = query(Log.range(1e4, 1e7, 50), Log.range(0.1, 10.0, 20));
+    let query = Query::new(NormalLoading::Pressure(Log.range(1e4, 1e7, 50)), Log.range(0.1, 10.0, 20));
     let states = 50 * 20 * settings.slip_points;
     bencher
         .counter(ItemsCount::new(states))
@@ -60,7 +48,7 @@ fn prediction(bencher: Bencher) {
 #[divan::bench(args = [1e6, 3e7], sample_count = 3)]
 fn ten_million_asperities(bencher: Bencher, pressure: f64) {
     let (law, surface, settings) = (law(), surface(), Settings::default());
-    let query = query(vec![pressure], vec![1.0]);
+    let query = Query::new(NormalLoading::Pressure(vec![pressure]), vec![1.0]);
     let sampling = Sampling { asperities: 1_000_000, realizations: 10, seed: 1, slip: Some(1e-6) };
     bencher.counter(ItemsCount::new(10_000_000_usize)).bench(|| {
         sample(&law, &surface, &query, &sampling, &settings, &|_, _| ()).expect("the table covers it")

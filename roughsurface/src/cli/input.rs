@@ -5,7 +5,7 @@ use super::topography::TopographyOptions;
 use clap::Args;
 use roughsurface::sampling::case::{Case, surface_of};
 use roughsurface::surface::file::{SurfaceFile, SurfaceFileError, Values, query_key, query_values};
-use roughsurface::surface::query::{ContactLife, LoadingControl};
+use roughsurface::surface::query::{ContactLife, Interaction, LoadingControl};
 use roughsurface::topography::characterize::Characterization;
 use roughsurface::topography::readers::is_topography;
 use std::path::{Path, PathBuf};
@@ -59,8 +59,8 @@ struct QueryOptions {
     #[arg(long, value_name = "DIAMETERS|steady", allow_negative_numbers = true)]
     contact_life: Option<ContactLife>,
     /// Elastic interaction of the summits, none by default; mean-pressure displaces the mean plane
-    #[arg(long, value_name = "KIND", value_parser = ["none", "mean-pressure"])]
-    interaction: Option<String>,
+    #[arg(long, value_name = "KIND", value_enum)]
+    interaction: Option<Interaction>,
     /// Side of the square nominal area, m; needed by --interaction mean-pressure; the warning of nominal heating is for this length
     #[arg(long, value_name = "M", allow_negative_numbers = true)]
     nominal_size: Option<f64>,
@@ -87,7 +87,7 @@ impl QueryOptions {
         let mut overrides = query_values(pressure.as_ref(), separation.as_ref(), slip_rate.as_ref());
         overrides.extend(self.hold.map(|control| query_key("hold", control)));
         overrides.extend(self.contact_life.map(|life| query_key("contact_life", life)));
-        overrides.extend(self.interaction.iter().map(|kind| query_key("interaction", kind)));
+        overrides.extend(self.interaction.map(|kind| query_key("interaction", kind)));
         overrides.extend(self.nominal_size.map(|size| query_key("nominal_size", size)));
         overrides.extend(others);
         match self.set.iter().find(|set| overrides.iter().any(|option| set.path.starts_with(&option.path))) {

@@ -94,7 +94,7 @@ mod tests {
         let critical = unit.powi(2) * closed_form("hertz", &STEEL).unwrap().critical_interference(1e-4);
         // ψ = 1 with exponential heights: friction does not depend on the pressure, and with
         // Kogut & Etsion's load and area it is 0.42963 in units of the exact first yield.
-        let surface = surface(Box::new(Exponential::new(critical)));
+        let surface = surface(Exponential::new(critical));
         let query = Query {
             slip_rates: vec![0.1, 5.0],
             contact_life: ContactLife::Steady,

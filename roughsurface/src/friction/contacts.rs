@@ -124,7 +124,7 @@ mod tests {
     #[test]
     fn temperatures_and_loads_of_exponential_heights_in_closed_form() {
         let std = 2e-6;
-        let surface = surface(Box::new(Exponential::new(std)));
+        let surface = surface(Exponential::new(std));
         let exact = Estimate::exact(3e-6);
         let found = contacts(&surface, &law(0.0), exact);
         // x = ω/ω_c with mean 2: ∫ √x x e^{−x/2} dx/∫ x e^{−x/2} dx = √2 Γ(5/2).
@@ -158,7 +158,7 @@ mod tests {
         let mean = 300.0 + 60.0 * sum(|x| x * x.sqrt()) / sum(|x| x);
         let elastic = sum(|x| if x <= 1.0 { x.powf(1.5) } else { 0.0 }) / sum(|x| x.powf(1.5));
         let highest = interference.iter().copied().fold(0.0, f64::max);
-        let surface = surface(Box::new(Sample::new(heights).unwrap()));
+        let surface = surface(Sample::new(heights).unwrap());
         let found = contacts(&surface, &law(0.0), Estimate::exact(separation));
         assert!((found.temperature_mean.unwrap().value / mean - 1.0).abs() < 1e-12, "{found:?} {mean}");
         assert!((found.temperature_max.unwrap().value / (300.0 + 100.0 * highest.sqrt()) - 1.0).abs() < 1e-9);
@@ -167,7 +167,7 @@ mod tests {
 
     #[test]
     fn a_law_without_temperature_has_none() {
-        let surface = surface(Box::new(Exponential::new(2e-6)));
+        let surface = surface(Exponential::new(2e-6));
         let law = PowerLaw { mean_rise: None, ..law(0.0) };
         let found = contacts(&surface, &law, Estimate::exact(0.0));
         assert_eq!((found.temperature_mean, found.temperature_max), (None, None));

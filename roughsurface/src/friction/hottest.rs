@@ -128,8 +128,7 @@ mod tests {
         let temperature = |interference: f64| 300.0 + 100.0 * interference.sqrt();
         let law = PowerLaw { critical: 1e-6, reference: Some(1e-4), temperature, ..PowerLaw::hertz() };
         let law = PowerLaw { relative_error, ..law };
-        let heights = Box::new(Exponential::new(STD));
-        let surface = Surface { asperity_radius: radii, ..surface(heights) };
+        let surface = Surface { asperity_radius: radii, ..surface(Exponential::new(STD)) };
         let asperities = Asperities::new(&law, &surface, 1.0).unwrap().map(|asperity| asperity.after(1.0));
         highest_temperature(&asperities, surface.heights.as_ref(), separation).unwrap().unwrap()
     }

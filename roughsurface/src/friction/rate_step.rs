@@ -83,8 +83,7 @@ mod tests {
     use tables::law::AsperityLaw;
 
     fn stepped(law: &dyn AsperityLaw, rates: [f64; 2], life: f64) -> Result<RateStepResponse, String> {
-        let heights = Box::new(Exponential::new(2e-7));
-        let surface = surface(heights);
+        let surface = surface(Exponential::new(2e-7));
         let query = Query {
             contact_life: ContactLife::Diameters(life),
             rate_step: Some(rates),

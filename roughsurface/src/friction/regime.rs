@@ -92,7 +92,7 @@ mod tests {
     #[test]
     fn shares_of_exponential_heights() {
         // Of those that touch, e^{−ω/σ} are pressed beyond ω.
-        let surface = surface(Box::new(Exponential::new(2e-6)));
+        let surface = surface(Exponential::new(2e-6));
         // T = 300 K + 100 K ω/ω_c with ω_c = 1 µm, up to 50 ω_c.
         let temperature = |interference: f64| 300.0 + 100.0 * interference;
         let law = PowerLaw { critical: 1e-6, limit: 50.0, temperature, ..PowerLaw::hertz() };

@@ -52,7 +52,7 @@ fn elastic_asperities_of_constant_strength_obey_amontons() {
     let law = closed_form("hertz", &STEEL).unwrap();
     let critical = law.critical_interference(1e-4);
     let psi: f64 = 0.5;
-    let surface = surface(Box::new(Exponential::new(critical * psi * psi)));
+    let surface = surface(Exponential::new(critical * psi * psi));
     let found = predicted(law.as_ref(), &surface, &[1e2, 1e3, 1e4], &[1.0], LoadingControl::Load).unwrap();
     let c = hertz::yield_coefficient(0.3);
     let exact = 2.0 / ((3.0 * std::f64::consts::PI).sqrt() * c * psi);
@@ -80,7 +80,7 @@ fn elastic_asperities_of_constant_strength_obey_amontons() {
 fn static_friction_of_the_surface_is_not_that_of_its_asperities() {
     // Each asperity slips at its own displacement and weakens to half within a few
     // contact radii: their peaks do not add up.
-    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let surface = surface(Gaussian::new(1e-6));
     let of = |law: PowerLaw| predicted(&law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
     let (found, bound) = (of(weakening(0.0, 0.0)), of(PowerLaw::hertz()));
     let (found, bound) = (&found.friction[0][0], &bound.friction[0][0]);
@@ -95,7 +95,7 @@ fn of_life(contact_life: ContactLife, steady: Option<Estimate>) -> (Friction, Ve
     let history = |_: f64, slip: f64, radius: f64| (-0.5 * slip / radius).exp();
     let law = PowerLaw { history, last_slip: 2.0, steady, ..PowerLaw::hertz() };
     let query = Query { contact_life, ..query(NormalLoading::Pressure(vec![1e6])) };
-    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let surface = surface(Gaussian::new(1e-6));
     let mut found = of_query(&law, &surface, &query).unwrap();
     (found.friction.remove(0).remove(0), found.warnings)
 }
@@ -143,7 +143,7 @@ fn friction_of_contacts_older_than_the_table_is_unknown_without_its_steady_frict
 fn held_load_closes_the_gap_that_a_held_separation_keeps() {
     // The load does not change with slip here, so load and displacement control agree.
     let law = PowerLaw::hertz();
-    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let surface = surface(Gaussian::new(1e-6));
     let load = predicted(&law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
     let separation = predicted(&law, &surface, &[1e6], &[1.0], LoadingControl::Separation).unwrap();
     let (load, separation) = (&load.friction[0][0], &separation.friction[0][0]);
@@ -155,7 +155,7 @@ fn held_load_closes_the_gap_that_a_held_separation_keeps() {
 #[test]
 fn errors_of_the_law_reach_every_result() {
     let law = PowerLaw { relative_error: 0.02, ..PowerLaw::hertz() };
-    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let surface = surface(Exponential::new(1e-6));
     let found = predicted(&law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
     let sliding = found.friction[0][0].sliding;
     // Q and P wrong by 2 % in opposite directions; μ does not depend on separation here.
@@ -169,7 +169,7 @@ fn errors_of_the_law_reach_every_result() {
 #[test]
 fn contacts_too_large_for_their_asperities_are_refused_unless_extrapolation_is_asked() {
     let law = PowerLaw { limit: 20.0, ..PowerLaw::hertz() };
-    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let surface = surface(Gaussian::new(1e-6));
     let error = predicted(&law, &surface, &[1e3, 1e8], &[1.0], LoadingControl::Load).unwrap_err();
     let message = error.to_string();
     assert!(
@@ -188,7 +188,7 @@ fn contacts_too_large_for_their_asperities_are_refused_unless_extrapolation_is_a
 #[test]
 fn few_heights_of_a_sample_in_contact_are_named() {
     let heights = (0..40).map(|i| if i == 0 { 5e-6 } else { 1e-8 * f64::from(i) }).collect();
-    let surface = surface(Box::new(Sample::new(heights).unwrap()));
+    let surface = surface(Sample::new(heights).unwrap());
     let few = |separation: f64| {
         let query = query(NormalLoading::Separation(vec![separation]));
         let found = of_query(&PowerLaw::hertz(), &surface, &query).unwrap();
@@ -204,7 +204,7 @@ fn flash_heating_of_the_asperities_is_that_of_the_surface() {
         history: |rate, _, _| 0.25 + 0.75 / (1.0 + (rate / 0.2f64).powi(8)).powf(0.125),
         ..PowerLaw::hertz()
     };
-    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let surface = surface(Exponential::new(1e-6));
     let rates = [0.01, 0.05, 0.2, 0.5, 2.0];
     let found = predicted(&law, &surface, &[1e6], &rates, LoadingControl::Load).unwrap();
     let fitted = found.rate_laws[0].flash_heating.unwrap();
@@ -215,7 +215,7 @@ fn flash_heating_of_the_asperities_is_that_of_the_surface() {
 #[test]
 fn rates_outside_the_table_and_empty_gaps_are_refused() {
     let law = PowerLaw::hertz();
-    let surface = surface(Box::new(Uniform::new(1e-6)));
+    let surface = surface(Uniform::new(1e-6));
     let error = predicted(&law, &surface, &[1e6], &[1e3], LoadingControl::Load).unwrap_err();
     assert!(error.to_string().contains("outside the table"));
     let query = query(NormalLoading::Separation(vec![2e-6]));
@@ -226,7 +226,7 @@ fn rates_outside_the_table_and_empty_gaps_are_refused() {
 #[test]
 fn the_mean_pressure_moves_the_plane_and_leaves_friction_at_a_pressure() {
     let law = closed_form("jackson-green", &STEEL).unwrap();
-    let surface = surface(Box::new(Gaussian::new(3e-8)));
+    let surface = surface(Gaussian::new(3e-8));
     let predicted = |loading: &NormalLoading, control, nominal_size: Option<f64>| {
         let interaction = nominal_size.map_or(Interaction::None, |_| Interaction::MeanPressure);
         let query = Query { control, interaction, nominal_size, ..query(loading.clone()) };
@@ -265,7 +265,7 @@ fn static_friction_of_slides_that_end_in_stick_is_unknown() {
     // Friction rises with the slip to the end of the slide at a hundredth of the contact radius.
     let history = |_: f64, slip: f64, radius: f64| slip / (0.01 * radius);
     let law = PowerLaw { history, last_slip: 0.01, stuck_above: 2.0, ..PowerLaw::hertz() };
-    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let surface = surface(Exponential::new(1e-6));
     let of = |law: &PowerLaw| predicted(law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
     let found = of(&law);
     let cell = &found.friction[0][0];
@@ -282,7 +282,7 @@ fn static_friction_of_slides_that_end_in_stick_is_unknown() {
 #[test]
 fn inception_is_as_uncertain_as_that_of_the_contacts() {
     let history = |_: f64, slip: f64, radius: f64| (slip / (2e-3 * radius)).min(1.0);
-    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let surface = surface(Gaussian::new(1e-6));
     for (inception_error, expected) in [(0.0, 0.02), (0.06, 0.06)] {
         let law =
             PowerLaw { history, inception: 1e-9, inception_error, relative_error: 0.01, ..PowerLaw::hertz() };
@@ -303,7 +303,7 @@ fn results_are_unknown_only_where_their_contacts_have_none() {
     let law = PowerLaw { temperature, mean_rise: Some(0.5), last_slip: 20.0, steady, ..PowerLaw::hertz() };
     let law = PowerLaw { missing: (0.5, 2.0), ..law };
     // All summits are pressed by 9 to 11 ω_c, or by 0.9 to 1.1 ω_c.
-    let surface = surface(Box::new(Uniform::new(0.5e-7)));
+    let surface = surface(Uniform::new(0.5e-7));
     let at = |separation: f64| {
         let query = query(NormalLoading::Separation(vec![separation]));
         of_query(&law, &surface, &query).map(|found| found.friction[0][0].clone())

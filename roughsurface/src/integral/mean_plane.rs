@@ -124,10 +124,13 @@ mod tests {
         let mut integral = SurfaceIntegral::new(&asperities, &heights, density, 1e-12);
         let zero =
             density * std::f64::consts::PI.sqrt() * STEEL.contact_modulus() * (radius * sigma).sqrt() * sigma;
-        for size in [1e-7, 1e-5, 1e-3, 1e-2] {
+        let plane_of = |size: f64| {
             let asked = query(NormalLoading::Separation(vec![0.0]));
             let (interaction, nominal_size) = (Interaction::MeanPressure, Some(size));
-            let plane = MeanPlane::new(&Query { interaction, nominal_size, ..asked }, law.as_ref()).unwrap();
+            MeanPlane::new(&Query { interaction, nominal_size, ..asked }, law.as_ref()).unwrap()
+        };
+        for size in [1e-7, 1e-5, 1e-3, 1e-2] {
+            let plane = plane_of(size);
             for place in [0.0, 1.0, 4.0] {
                 let separation = place * sigma;
                 let at = zero * (-place).exp() * square() * size / (STEEL.contact_modulus() * sigma);
@@ -137,9 +140,7 @@ mod tests {
             }
         }
         // Displacements below the rounding error of the separation.
-        let asked = query(NormalLoading::Separation(vec![0.0]));
-        let (interaction, nominal_size) = (Interaction::MeanPressure, Some(1e-2));
-        let plane = MeanPlane::new(&Query { interaction, nominal_size, ..asked }, law.as_ref()).unwrap();
+        let plane = plane_of(1e-2);
         for place in 20..50 {
             let separation = 1.1 * f64::from(place) * sigma;
             let found = plane.effective_separation(&mut integral, separation).unwrap();

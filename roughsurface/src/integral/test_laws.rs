@@ -2,7 +2,7 @@
 
 use crate::integral::asperity_at_slip::AsperityAtSlip;
 use crate::surface::heights::Heights;
-use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
+use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
 use tables::closed_forms::ElasticPlastic;
 use tables::law::{AsperityLaw, Estimate, LookupError, OptionalEstimate, Response};
 
@@ -15,8 +15,8 @@ pub fn asperity(law: &dyn AsperityLaw) -> AsperityAtSlip<'_> {
 }
 
 /// Summits of 0.1 mm, 1e10 a square metre.
-pub fn surface(heights: Box<dyn Heights>) -> Surface {
-    Surface { asperity_density: 1e10, asperity_radius: 1e-4.into(), heights }
+pub fn surface(heights: impl Heights + 'static) -> Surface {
+    Surface { asperity_density: 1e10, asperity_radius: 1e-4.into(), heights: Box::new(heights) }
 }
 
 /// At 1 m/s, with what is given held.
@@ -25,15 +25,7 @@ pub fn query(loading: NormalLoading) -> Query {
         NormalLoading::Pressure(_) => LoadingControl::Load,
         NormalLoading::Separation(_) => LoadingControl::Separation,
     };
-    Query {
-        loading,
-        slip_rates: vec![1.0],
-        control,
-        contact_life: ContactLife::default(),
-        interaction: Interaction::None,
-        nominal_size: None,
-        rate_step: None,
-    }
+    Query { control, ..Query::new(loading, vec![1.0]) }
 }
 
 /// P, Q and A as powers of ω/ω_c, rate dependence and slip hardening by choice.

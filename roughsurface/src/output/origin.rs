@@ -1,6 +1,7 @@
 //! Common parts of the NetCDF files: attributes of provenance, coordinates, variables with their errors.
 
-use crate::surface::query::{LoadingControl, NormalLoading, Query};
+use crate::surface::query::{NormalLoading, Query};
+use clap::ValueEnum;
 use tables::law::Estimate;
 use tables::netcdf::{DatasetError, DatasetWriter, described};
 
@@ -24,19 +25,15 @@ impl Origin<'_> {
         query: &Query,
         warnings: &[impl ToString],
     ) -> Result<(), DatasetError> {
-        let hold = match query.control {
-            LoadingControl::Load => "load",
-            LoadingControl::Separation => "separation",
-        };
         for (name, value) in [
             ("source", concat!("roughsurface ", env!("CARGO_PKG_VERSION"))),
             ("history", self.history),
             ("surface", self.surface),
             ("table", self.table),
             ("law", law),
-            ("hold", hold),
+            ("hold", name(query.control).as_str()),
             ("contact_life", query.contact_life.to_string().as_str()),
-            ("interaction", query.interaction.name()),
+            ("interaction", name(query.interaction).as_str()),
         ] {
             file.attribute(name, value)?;
         }
@@ -46,6 +43,11 @@ impl Origin<'_> {
         }
         Ok(())
     }
+}
+
+/// The value of a key of the surface file.
+fn name(choice: impl ValueEnum) -> String {
+    choice.to_possible_value().expect("every choice has a name").get_name().to_owned()
 }
 
 /// Writes the coordinates of pressures or separations and of slip rates; returns the name of the former.

@@ -59,7 +59,7 @@ pub fn json(results: &Results) -> Value {
         "law": prediction.law,
         "hold": prediction.query.control,
         "contact_life": prediction.query.contact_life,
-        "interaction": prediction.query.interaction.name(),
+        "interaction": prediction.query.interaction,
         "plasticity_index": prediction.plasticity_index,
         "regime": regime(prediction.plasticity_index),
         "friction": cells,

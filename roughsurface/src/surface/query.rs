@@ -133,25 +133,13 @@ impl<'de> Deserialize<'de> for ContactLife {
     }
 }
 
-/// Elastic interaction of the summits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+/// Elastic interaction of the summits: none, or the nominal pressure displaces the mean plane of a square nominal area.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize, clap::ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Interaction {
-    /// Summits deform independently.
     #[default]
     None,
-    /// The nominal pressure displaces the mean plane of a square nominal area.
     MeanPressure,
-}
-
-impl Interaction {
-    /// Value of the key `interaction`.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::MeanPressure => "mean-pressure",
-        }
-    }
 }
 
 /// Loading, slip rates and loading control of a prediction.
@@ -170,6 +158,19 @@ pub struct Query {
 }
 
 impl Query {
+    /// With the default values of the other keys.
+    pub fn new(loading: NormalLoading, slip_rates: Vec<f64>) -> Self {
+        Self {
+            loading,
+            slip_rates,
+            control: LoadingControl::default(),
+            contact_life: ContactLife::default(),
+            interaction: Interaction::default(),
+            nominal_size: None,
+            rate_step: None,
+        }
+    }
+
     /// Pressure (Pa) or separation (m) and slip rate (m/s) of every cell, row by row.
     pub fn cells(&self) -> impl Iterator<Item = (f64, f64)> {
         let of_row = |&load: &f64| self.slip_rates.iter().map(move |&rate| (load, rate));

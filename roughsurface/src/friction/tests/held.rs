@@ -4,7 +4,7 @@ use super::*;
 use crate::friction::quantities::QUANTITIES;
 
 fn held(law: &PowerLaw, loading: NormalLoading, control: LoadingControl) -> Vec<Friction> {
-    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let surface = surface(Gaussian::new(1e-6));
     let query = Query { control, ..query(loading) };
     of_query(law, &surface, &query).unwrap().friction.concat()
 }
@@ -56,7 +56,7 @@ fn the_surface_at_rest_has_the_same_errors_whatever_is_held() {
     }
     // Of exponential heights p and A fall by e per σ: a load wrong by 2 % is a separation wrong by 2 % of σ, which moves the
     // area by 2 %. The loads before and in the slide are wrong alike.
-    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let surface = surface(Exponential::new(1e-6));
     let law = PowerLaw { relative_error: 0.02, ..PowerLaw::hertz() };
     let held = predicted(&law, &surface, &[1e6], &[1.0], LoadingControl::Separation).unwrap();
     let sliding = held.friction[0][0].sliding;

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 #[test]
 fn large_real_areas_are_warned_of_with_the_key_that_helps() {
     let law = closed_form("jackson-green", &STEEL).unwrap();
-    let surface = surface(Box::new(Gaussian::new(3e-8)));
+    let surface = surface(Gaussian::new(3e-8));
     let warned = |pressure, interaction| {
         let nominal_size = Some(1e-4);
         let query = Query { interaction, nominal_size, ..query(NormalLoading::Pressure(vec![pressure])) };
@@ -34,7 +34,7 @@ fn an_interface_stronger_than_the_pressure_is_warned_of() {
     let critical = law.critical_interference(1e-4);
     // Friction is 0.4039/ψ.
     for (psi, is_strong) in [(0.3, true), (0.5, false)] {
-        let surface = surface(Box::new(Exponential::new(critical * psi * psi)));
+        let surface = surface(Exponential::new(critical * psi * psi));
         let found = predicted(law.as_ref(), &surface, &[1e3], &[1.0], LoadingControl::Load).unwrap();
         let strong = matching!(found.warnings, Warning::StrongInterface { friction, .. } => *friction).next();
         let friction = found.friction[0][0].mu_static.value;
@@ -47,7 +47,7 @@ fn contacts_that_hardly_slide_are_warned_of() {
     // Friction grows over 0.1 µm; contacts are some 10 µm large.
     let history = |_: f64, slip: f64, _: f64| (slip / 1e-7).min(1.0);
     let law = PowerLaw { inception: 1e-7, history, last_slip: 20.0, ..PowerLaw::hertz() };
-    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let surface = surface(Gaussian::new(1e-6));
     let found = |life: f64| {
         let contact_life = ContactLife::Diameters(life);
         let query = Query { contact_life, ..query(NormalLoading::Pressure(vec![1e6])) };
@@ -68,7 +68,7 @@ fn contacts_that_hardly_slide_are_warned_of() {
 #[test]
 fn a_small_nominal_area_with_few_contacts_is_warned_of() {
     let law = PowerLaw::hertz();
-    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let surface = surface(Gaussian::new(1e-6));
     let found = |side: f64| {
         let query = Query { nominal_size: Some(side), ..query(NormalLoading::Pressure(vec![1e6])) };
         let found = of_query(&law, &surface, &query).unwrap();
@@ -90,7 +90,7 @@ fn a_nominal_contact_that_warms_like_its_contacts_is_warned_of() {
     // √(44.5·7850·475).
     let effusivity = steel.scene.effusivity.unwrap();
     assert!((effusivity / 12881.4 - 1.0).abs() < 1e-5, "{effusivity}");
-    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let surface = surface(Gaussian::new(1e-6));
     let found = |pressure: f64, slip_rate: f64, nominal_size| {
         let loading = NormalLoading::Pressure(vec![pressure]);
         let query = Query { slip_rates: vec![slip_rate], nominal_size, ..query(loading) };
@@ -123,7 +123,7 @@ fn a_nominal_contact_that_warms_like_its_contacts_is_warned_of() {
 fn fast_inceptions_and_uncertain_steady_friction_draw_warnings() {
     let steady = Some(Estimate { value: 0.4, error: 0.1 });
     let law = PowerLaw { last_slip: 20.0, steady, ..PowerLaw::hertz() };
-    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let surface = surface(Gaussian::new(1e-6));
     let query = Query { slip_rates: vec![0.5, 1.0], ..query(NormalLoading::Pressure(vec![1e6])) };
     let scene = SceneConstants { inception_time: Some(4e-8), ..SceneConstants::default() };
     let settings = Settings { scene, ..Settings::default() };

@@ -21,7 +21,7 @@ fn sampled(law: &dyn AsperityLaw, surface: &Surface, query: &Query, sampling: &S
 
 fn samples(asperities: usize) -> Samples {
     let law = PowerLaw::hertz();
-    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let surface = surface(Exponential::new(1e-6));
     let query = query(NormalLoading::Pressure(vec![1e6, 1e8]));
     let sampling = Sampling { asperities, realizations: 300, seed: 7, slip: Some(1.0) };
     sampled(&law, &surface, &query, &sampling)
@@ -88,7 +88,7 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
 /// As draws of two heights from two often are.
 #[test]
 fn surfaces_whose_summits_are_of_one_height_slide() {
-    let surface = surface(Box::new(Sample::new(vec![0.0, 1e-7]).unwrap()));
+    let surface = surface(Sample::new(vec![0.0, 1e-7]).unwrap());
     let query = query(NormalLoading::Pressure(vec![1e6]));
     let sampling = Sampling { asperities: 2, realizations: 20, seed: 3, slip: Some(1.0) };
     let law = PowerLaw::hertz();
@@ -100,7 +100,7 @@ fn surfaces_whose_summits_are_of_one_height_slide() {
 
 #[test]
 fn samples_that_rest_on_unsteady_friction_say_so() {
-    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let surface = surface(Exponential::new(1e-6));
     let query = Query { contact_life: ContactLife::Steady, ..query(NormalLoading::Pressure(vec![1e6])) };
     let sampling = Sampling { asperities: 100, realizations: 5, seed: 1, slip: None };
     for (error, said) in [(0.01, false), (0.1, true)] {
@@ -113,7 +113,7 @@ fn samples_that_rest_on_unsteady_friction_say_so() {
 
 #[test]
 fn samples_of_slides_that_end_in_stick_say_so() {
-    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let surface = surface(Exponential::new(1e-6));
     let query = query(NormalLoading::Pressure(vec![1e6]));
     let sampling = Sampling { asperities: 100, realizations: 5, seed: 1, slip: Some(1e-3) };
     for stuck_above in [2.0, f64::INFINITY] {
@@ -130,7 +130,7 @@ fn intervals_hold_the_friction_of_surfaces_with_several_contacts() {
     const GROUP: usize = 5;
     const GROUPS: usize = 1600;
     let law = closed_form("jackson-green", &STEEL).unwrap();
-    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let surface = surface(Gaussian::new(1e-6));
     let held = |asperities: usize, pressure: f64| {
         let query = query(NormalLoading::Pressure(vec![pressure]));
         let sampling = Sampling { asperities, realizations: GROUPS * GROUP, seed: 5, slip: Some(1e-6) };
@@ -153,7 +153,7 @@ fn intervals_hold_the_friction_of_surfaces_with_several_contacts() {
 /// As a prediction of the same surface does: contacts that live for a millionth of a diameter stick.
 #[test]
 fn samples_warn_of_what_a_prediction_warns_of() {
-    let surface = surface(Box::new(Exponential::new(1e-7)));
+    let surface = surface(Exponential::new(1e-7));
     let law = LawSource::open("steel-4340", None, None, false).unwrap().law;
     let life = ContactLife::Diameters(1e-6);
     let query = Query { contact_life: life, ..query(NormalLoading::Pressure(vec![1e6])) };

@@ -18,7 +18,7 @@ impl SurfaceFile {
         let defaults = [
             at_default("hold", query.control, LoadingControl::default()),
             at_default("contact_life", query.contact_life, ContactLife::default()),
-            at_default("interaction", query.interaction.name(), Interaction::default().name()),
+            at_default("interaction", query.interaction, Interaction::default()),
         ];
         defaults.into_iter().flatten().collect()
     }
