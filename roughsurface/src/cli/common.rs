@@ -65,25 +65,20 @@ fn given<'a>(outputs: &Roles<'a>) -> Vec<(&'a str, &'a Path)> {
 
 /// A query that the table does not cover is bad input; a separation that is not found is a failure of the run.
 pub fn failure(error: PredictionError) -> Failure {
-    let hint = match &error {
+    let with = |hint: &str| Failure::input(format!("{error} ({hint})"));
+    match &error {
         PredictionError::ContactsTooLarge { .. } => {
-            Some("--extrapolate keeps their mean pressure and friction")
+            with("--extrapolate keeps their mean pressure and friction")
         }
         PredictionError::Lookup(LookupError::Missing { .. })
-        | PredictionError::Separation(SeparationError::Lookup(LookupError::Missing { .. })) => Some(
+        | PredictionError::Separation(SeparationError::Lookup(LookupError::Missing { .. })) => with(
             "--allow-missing interpolates cells that have results on both sides, and leaves out interferences and slip rates without any",
         ),
         PredictionError::Separation(
             SeparationError::NotFound { .. } | SeparationError::NoMeanPlane { .. },
         )
-        | PredictionError::NotFinite { .. } => {
-            return Failure::run(error);
-        }
-        _ => None,
-    };
-    match hint {
-        Some(hint) => Failure::input(format!("{error} ({hint})")),
-        None => Failure::input(error),
+        | PredictionError::NotFinite { .. } => Failure::run(error),
+        _ => Failure::input(error),
     }
 }
 

@@ -98,10 +98,9 @@ fn models() -> PossibleValuesParser {
 }
 
 fn step(text: &str) -> Result<[f64; 2], String> {
-    let rates = text.split_once("..").and_then(|(before, after)| before.parse().ok().zip(after.parse().ok()));
-    rates
-        .map(|(before, after)| [before, after])
-        .ok_or_else(|| "must be two slip rates in m/s, such as 0.1..1".into())
+    let rates =
+        text.split_once("..").and_then(|(before, after)| Some([before.parse().ok()?, after.parse().ok()?]));
+    rates.ok_or_else(|| "must be two slip rates in m/s, such as 0.1..1".into())
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

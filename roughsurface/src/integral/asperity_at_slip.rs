@@ -166,8 +166,7 @@ impl<'a> AsperityAtSlip<'a> {
             load: self.in_proportion(last.load, interference),
             friction: self.in_proportion(last.friction, interference),
             area: self.in_proportion(last.area, interference),
-            temperature_max: last.temperature_max,
-            coefficient_error: last.coefficient_error,
+            ..last
         })
     }
 
