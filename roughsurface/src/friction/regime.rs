@@ -26,7 +26,7 @@ pub fn regime(plasticity_index: f64) -> &'static str {
 }
 
 /// Shares of the asperities in contact; those that are known are together 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RegimeShares {
     /// Interference below first yield.
     pub elastic: f64,

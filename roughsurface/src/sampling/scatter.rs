@@ -3,7 +3,7 @@
 use crate::friction::rate_law::{OUTSIDE, student_t};
 
 /// Mean and scatter of a quantity over the surfaces drawn.
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Scatter {
     pub mean: f64,
     /// Half width of the 95 % confidence interval of the mean, by Student's t.

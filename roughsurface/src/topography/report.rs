@@ -11,10 +11,9 @@ pub const PRESSURES: [f64; 3] = [1e5, 1e6, 1e7];
 pub const SLIP_RATES: [f64; 3] = [0.1, 1.0, 10.0];
 
 /// Which summits a surface file is written with.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum WhichSummits {
     /// Those of the moments, with Gaussian heights.
-    #[default]
     Moments,
     /// Those found one by one, with their heights in a separate file.
     Found,
