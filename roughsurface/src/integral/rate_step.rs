@@ -231,30 +231,27 @@ mod tests {
         // A strength that grows with the strain rate, and slides from 0.01 m/s on.
         let rate_factor = |rate: f64| 1.0 + 0.02 * (rate / 1e-3).ln();
         let law = PowerLaw { history: softened, rate_factor, slowest: 0.01, ..PowerLaw::hertz() };
-        let friction = |before: f64, after: f64| {
-            let step = RateStep::new(&law, 1e-4, [1.0, 10.0]).unwrap();
-            step.contact(1.0).unwrap().response(before, after).unwrap().friction.value
+        // In the step, over that of a slide.
+        let ratio = |law: &PowerLaw, [before, after]: [f64; 2], (rate, slip): (f64, f64)| {
+            let step = RateStep::new(law, 1e-4, [1.0, 10.0]).unwrap();
+            let stepped = step.contact(1.0).unwrap().response(before, after).unwrap();
+            stepped.friction.value / law.response(1e-4, 1.0, rate, slip).unwrap().friction.value
         };
-        let slide = |rate: f64, slip: f64| law.response(1e-4, 1.0, rate, slip).unwrap().friction.value;
-        let direct = friction(1e-6, 0.0) / slide(1.0, 1e-6);
+        let direct = ratio(&law, [1e-6, 0.0], (1.0, 1e-6));
         assert!((direct / (1.184207 / 1.138155) - 1.0).abs() < 1e-6, "{direct}");
         // One that begins to slide after the step has the strength at the second rate too.
         let cold = PowerLaw { history: |_, _, _| 1.0, inception: 2e-6, ..law.clone() };
-        let step = RateStep::new(&cold, 1e-4, [1.0, 10.0]).unwrap();
-        let begun = step.contact(1.0).unwrap().response(1e-6, 2e-6).unwrap().friction.value;
-        let exact = cold.response(1e-4, 1.0, 10.0, 3e-6).unwrap().friction.value;
-        assert!((begun / exact - 1.0).abs() < 1e-6, "{begun} {exact}");
+        let begun = ratio(&cold, [1e-6, 2e-6], (10.0, 3e-6));
+        assert!((begun - 1.0).abs() < 1e-6, "{begun}");
         // Elastic up to the strength, which is reached later where it is larger: no heat.
         let history = |rate: f64, slip: f64, _: f64| {
             let factor = |rate: f64| 1.0 + 0.02 * (rate / 1e-3).ln();
             (slip / (2e-6 * factor(rate) / factor(0.01))).min(1.0)
         };
         let elastic = PowerLaw { history, ..cold };
-        let step = RateStep::new(&elastic, 1e-4, [1.0, 10.0]).unwrap();
-        let old = step.contact(1.0).unwrap().response(4e-6, 1e-6).unwrap().friction.value;
-        let exact = elastic.response(1e-4, 1.0, 10.0, 5e-6).unwrap().friction.value;
-        assert!((old / exact - 1.0).abs() < 1e-6, "{old} {exact}");
+        let old = ratio(&elastic, [4e-6, 1e-6], (10.0, 5e-6));
+        assert!((old - 1.0).abs() < 1e-6, "{old}");
         // A contact born at the step slides at the second rate only.
-        assert!((friction(0.0, 1e-6) / slide(10.0, 1e-6) - 1.0).abs() < 1e-12);
+        assert!((ratio(&law, [0.0, 1e-6], (10.0, 1e-6)) - 1.0).abs() < 1e-12);
     }
 }

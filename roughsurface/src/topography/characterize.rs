@@ -283,7 +283,7 @@ fn limits(found: &Characterization, spectrum: &Spectrum) -> Vec<Warning> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::synthetic::SelfAffine;
+    use super::super::synthetic::{SelfAffine, at};
     use super::*;
 
     #[test]
@@ -293,17 +293,14 @@ mod tests {
         assert_eq!(found.cutoff, 4.0 * map.pixel());
         assert!(matches!(found.warnings[0], Warning::NoCutoff { .. }), "{:?}", found.warnings);
         assert!(found.radius_at_twice_the_cutoff.unwrap() > 1.0);
-        let asked = |cutoff: f64| {
-            let options = Options { cutoff: Some(cutoff), ..Options::default() };
-            characterize(map.clone(), &options)
-        };
+        let asked = |cutoff: f64| characterize(map.clone(), &at(cutoff));
         assert!(asked(8.0 * map.pixel()).unwrap().warnings.is_empty());
         let fine = asked(3.0 * map.pixel()).unwrap();
         assert!(matches!(fine.warnings[0], Warning::CutoffTooShort { .. }));
         assert!(asked(map.pixel()).unwrap_err().starts_with("cutoff = 1e-7 m: must lie between"));
         assert!(!asked(1.0).unwrap_err().contains("--unit"));
         let assumed = Topography { remarks: vec![Warning::NoUnit], ..map.clone() };
-        let error = characterize(assumed, &Options { cutoff: Some(1.0), ..Options::default() }).unwrap_err();
+        let error = characterize(assumed, &at(1.0)).unwrap_err();
         assert!(error.contains("states no unit") && error.contains("--unit"), "{error}");
     }
 
@@ -313,9 +310,7 @@ mod tests {
         let surface = SelfAffine { points: 512, roll_off_pixels: 512.0, ..SelfAffine::default() };
         let map = surface.map(1);
         let cutoff = 8.0 * map.pixel();
-        let found = |map: Topography| {
-            characterize(map, &Options { cutoff: Some(cutoff), ..Options::default() }).unwrap()
-        };
+        let found = |map: Topography| characterize(map, &at(cutoff)).unwrap();
         let periodic = found(map.clone());
         assert_eq!(periodic.detrend, Detrend::Mean);
         let Moments { m0, m2, m4, .. } = periodic.moments;
@@ -338,8 +333,7 @@ mod tests {
         // Waves along one direction only, on top of isotropic roughness: its tensor adds q qᵀ a²/2.
         let map = SelfAffine::default().map(1);
         let cutoff = 8.0 * map.pixel();
-        let options = Options { cutoff: Some(cutoff), ..Options::default() };
-        let plain = characterize(map.clone(), &options).unwrap();
+        let plain = characterize(map.clone(), &at(cutoff)).unwrap();
         assert!(!plain.warnings.iter().any(|warning| matches!(warning, Warning::Lay { .. })));
         for (waves, angle) in
             [((0, 8), 90.0), ((8, 0), 0.0), ((8, 8), -45.0), ((8, -8), 45.0), ((12, 5), -22.6)]
@@ -355,12 +349,12 @@ mod tests {
                 let phase = f64::from(waves.0) * row / rows + f64::from(waves.1) * column / columns;
                 *height += amplitude * (2.0 * std::f64::consts::PI * phase).cos();
             }
-            let found = characterize(ground, &options).unwrap();
-            let (ratio, at) =
+            let found = characterize(ground, &at(cutoff)).unwrap();
+            let (ratio, lay) =
                 matching!(found.warnings, Warning::Lay { ratio, angle } => (*ratio, *angle)).next().unwrap();
             assert!((ratio - 10.0).abs() < 1.5, "{waves:?}: {ratio}");
-            let off = (at - angle + 90.0).rem_euclid(180.0) - 90.0;
-            assert!(off.abs() < 2.0, "{waves:?}: {at}");
+            let off = (lay - angle + 90.0).rem_euclid(180.0) - 90.0;
+            assert!(off.abs() < 2.0, "{waves:?}: {lay}");
         }
     }
 
@@ -369,7 +363,7 @@ mod tests {
         let surface = SelfAffine { points: 512, shortest_pixels: 2.0, ..SelfAffine::default() };
         let noise = surface.power(2.0 * std::f64::consts::PI / (12.0 * surface.map(1).pixel()));
         let noisy = surface.with_noise(3, noise);
-        let options = Options { cutoff: Some(8.0 * noisy.pixel()), ..Options::default() };
+        let options = at(8.0 * noisy.pixel());
         let found = characterize(noisy, &options).unwrap();
         let clean = surface.sum(4, 8.0 * found.pixel);
         let exact = 1.0 - clean / found.moments.m4;
@@ -380,8 +374,8 @@ mod tests {
     #[test]
     fn slopes_have_the_names_of_the_standards() {
         let map = SelfAffine::default().map(1);
-        let cutoff = Some(8.0 * map.pixel());
-        let found = characterize(map, &Options { cutoff, ..Options::default() }).unwrap();
+        let options = at(8.0 * map.pixel());
+        let found = characterize(map, &options).unwrap();
         let json = serde_json::json!(found);
         let [sdq, rdq] = ["Sdq", "Rdq"].map(|name| json[name].as_f64().unwrap());
         assert!((sdq / rdq - 2f64.sqrt()).abs() < 1e-12);

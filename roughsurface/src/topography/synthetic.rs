@@ -1,6 +1,7 @@
 //! Surfaces with known spectra, for tests.
 
 use super::Topography;
+use super::characterize::Options;
 use super::fft::transform;
 use super::filter::transmission;
 use rand::{RngExt, SeedableRng};
@@ -9,6 +10,11 @@ use rustfft::num_complex::Complex;
 use std::f64::consts::PI;
 
 const PIXEL: f64 = 0.1e-6;
+
+/// The usual options with a cut-off (m).
+pub fn at(cutoff: f64) -> Options {
+    Options { cutoff: Some(cutoff), ..Options::default() }
+}
 
 fn square(points: usize, heights: Vec<f64>) -> Topography {
     Topography { periodic: true, ..Topography::map((points, PIXEL), (points, PIXEL), heights) }

@@ -72,12 +72,8 @@ pub fn on_each_other(
 mod tests {
     use super::super::moments::Moments;
     use super::super::spectrum::Window;
-    use super::super::synthetic::{SelfAffine, cosine};
+    use super::super::synthetic::{SelfAffine, at, cosine};
     use super::*;
-
-    fn at(cutoff: f64) -> Options {
-        Options { cutoff: Some(cutoff), ..Options::default() }
-    }
 
     /// A face stretched by the square root of the factor along its rows and compressed across them.
     fn stretched(map: &Topography, factor: f64) -> Topography {

@@ -36,8 +36,7 @@ fn contacts_older_than_the_histories_have_steady_friction() {
     let history = |_: f64, slip: f64, radius: f64| 0.2 + 0.4 * (-slip / radius).exp();
     let steady = Some(Estimate { value: 0.02, error: 0.001 });
     let law = PowerLaw { history, last_slip: 2.0, steady, ..PowerLaw::hertz() };
-    let of = |life| asperity(&law).of_all_ages(life).with(Additional::UnsteadyLoad);
-    let response = |life| of(life).response(1.0).unwrap();
+    let response = |life| asperity(&law).of_all_ages(life).response(1.0).unwrap();
     // P = 1 mN at ω_c.
     let lasting = response(ContactLife::Steady);
     assert!((lasting.friction.value - 2e-5).abs() < 1e-19, "{lasting:?}");

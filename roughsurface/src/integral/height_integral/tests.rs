@@ -3,7 +3,9 @@
 
 use super::*;
 use crate::integral::test_laws::{PowerLaw, STEEL, asperity};
-use crate::surface::heights::{Exponential, Gaussian, LogNormal, TruncatedGaussian, Uniform, Weibull};
+use crate::surface::heights::{
+    Exponential, Gaussian, Histogram, LogNormal, Sample, TruncatedGaussian, Uniform, Weibull,
+};
 use tables::closed_forms::closed_form;
 
 const STD: f64 = 1e-6;
@@ -219,7 +221,6 @@ fn load_beyond_the_largest_contact_is_counted_and_continued() {
 
 #[test]
 fn a_large_measured_set_approaches_its_parent() {
-    use crate::surface::heights::Sample;
     // Quantiles of exponential heights: a midpoint rule in the tail, with an end error of order 1/n.
     let count = 20_000;
     let quantiles = (0..count).map(|i| -STD * ((f64::from(i) + 0.5) / f64::from(count)).ln());
@@ -234,7 +235,6 @@ fn a_large_measured_set_approaches_its_parent() {
 
 #[test]
 fn bins_are_integrated_one_by_one() {
-    use crate::surface::heights::Histogram;
     // Hertzian load of heights spread evenly from a to b over a flat at d < a is
     // [(b−d)^{5/2} − (a−d)^{5/2}]/(5/2)/(b−a); a gap in between, and two bins of 1:3.
     let edges = [0.0, 1.0, 2.0, 2.5].map(|edge| edge * STD);
