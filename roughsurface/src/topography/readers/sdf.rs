@@ -4,18 +4,17 @@
 use super::number::Number;
 use crate::topography::Topography;
 
-/// Types of the heights by their code in the header.
-const TYPES: [&str; 8] = ["<u1", "<u2", "<u4", "<f4", "<i1", "<i2", "<i4", "<f8"];
-/// Smallest and largest value of each; floating-point numbers of BCR from the last one on are undefined.
-const RANGES: [[f64; 2]; 8] = [
-    [0.0, u8::MAX as f64],
-    [0.0, u16::MAX as f64],
-    [0.0, u32::MAX as f64],
-    [f32::MIN as f64, 3.4e38],
-    [i8::MIN as f64, i8::MAX as f64],
-    [i16::MIN as f64, i16::MAX as f64],
-    [i32::MIN as f64, i32::MAX as f64],
-    [f64::MIN, 1.7e308],
+/// Types of the heights by their code in the header, with their smallest and largest value; floating-point numbers of BCR
+/// from the last one on are undefined.
+const TYPES: [(&str, f64, f64); 8] = [
+    ("<u1", 0.0, u8::MAX as f64),
+    ("<u2", 0.0, u16::MAX as f64),
+    ("<u4", 0.0, u32::MAX as f64),
+    ("<f4", f32::MIN as f64, 3.4e38),
+    ("<i1", i8::MIN as f64, i8::MAX as f64),
+    ("<i2", i16::MIN as f64, i16::MAX as f64),
+    ("<i4", i32::MIN as f64, i32::MAX as f64),
+    ("<f8", f64::MIN, 1.7e308),
 ];
 
 pub(super) fn is_sdf(bytes: &[u8]) -> bool {
@@ -25,7 +24,7 @@ pub(super) fn is_sdf(bytes: &[u8]) -> bool {
 
 pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
     let is_bcr = bytes[1..].starts_with(b"BCR");
-    let (header, stored) = match bytes[0] {
+    let (header, raw) = match bytes[0] {
         b'a' => of_text(&String::from_utf8_lossy(bytes))?,
         _ => of_binary(bytes).ok_or("ends within the header")?,
     };
@@ -35,15 +34,9 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
             "Compression = {compression}, CheckType = {check}: only 0 is known, neither compressed nor with a check sum"
         ));
     }
-    let [smallest, largest] =
-        RANGES.get(data_type).copied().ok_or_else(|| format!("DataType = {data_type}: must be 0 to 7"))?;
+    let (_, smallest, largest) =
+        *TYPES.get(data_type).ok_or_else(|| format!("DataType = {data_type}: must be 0 to 7"))?;
     let count = points.checked_mul(profiles).ok_or("NumPoints x NumProfiles is too large")?;
-    let raw: Vec<f64> = match stored {
-        Stored::Text(values) => values,
-        Stored::Binary(data) => Number::of(TYPES[data_type])
-            .map(|number| number.read(data).take(count).collect())
-            .unwrap_or_default(),
-    };
     if raw.len() < count {
         return Err(format!("holds {} of {profiles} x {points} heights", raw.len()));
     }
@@ -68,13 +61,8 @@ struct Header {
     check: usize,
 }
 
-/// Heights in units of the scale.
-enum Stored<'a> {
-    Text(Vec<f64>),
-    Binary(&'a [u8]),
-}
-
-fn of_text(text: &str) -> Result<(Header, Stored<'static>), String> {
+/// The header, and heights in units of the scale.
+fn of_text(text: &str) -> Result<(Header, Vec<f64>), String> {
     // What follows a semicolon is a comment.
     let mut lines = text.lines().skip(1).map(|line| line.split(';').next().unwrap_or_default().trim());
     let fields: Vec<(&str, &str)> = lines
@@ -108,11 +96,11 @@ fn of_text(text: &str) -> Result<(Header, Stored<'static>), String> {
     };
     let words = lines.take_while(|line| *line != "*").flat_map(str::split_whitespace);
     let values = words.map(|word| if word == "BAD" { Ok(f64::NAN) } else { number("a height", word) });
-    Ok((header, Stored::Text(values.collect::<Result<_, _>>()?)))
+    Ok((header, values.collect::<Result<_, _>>()?))
 }
 
-/// None where the bytes end within the header.
-fn of_binary(bytes: &[u8]) -> Option<(Header, Stored<'_>)> {
+/// The same, without heights of an unknown type; none where the bytes end within the header.
+fn of_binary(bytes: &[u8]) -> Option<(Header, Vec<f64>)> {
     // Version, manufacturer and two dates.
     let mut rest = bytes.get(8 + 10 + 12 + 12..)?;
     let mut next = |kind: &str| {
@@ -127,7 +115,8 @@ fn of_binary(bytes: &[u8]) -> Option<(Header, Stored<'_>)> {
     let [compression, data_type, check] =
         [next("<u1")?, next("<u1")?, next("<u1")?].map(|value| value as usize);
     let header = Header { points, profiles, steps: [x, y], scale, data_type, compression, check };
-    Some((header, Stored::Binary(rest)))
+    let number = TYPES.get(data_type).and_then(|(kind, ..)| Number::of(kind));
+    Some((header, number.map_or(Vec::new(), |number| number.read(rest).collect())))
 }
 
 #[cfg(test)]
