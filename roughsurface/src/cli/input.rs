@@ -4,9 +4,8 @@ use super::common::*;
 use super::topography::TopographyOptions;
 use clap::Args;
 use roughsurface::sampling::case::{Case, surface_of};
-use roughsurface::surface::file::{SurfaceFile, SurfaceFileError, Values, query_key, query_values};
+use roughsurface::surface::file::{SurfaceFile, Values, query_key, query_values};
 use roughsurface::surface::query::{ContactLife, Interaction, LoadingControl};
-use roughsurface::topography::characterize::Characterization;
 use roughsurface::topography::readers::is_topography;
 use std::path::{Path, PathBuf};
 use tables::netcdf::input::Override;
@@ -101,11 +100,6 @@ impl QueryOptions {
 }
 
 impl InputOptions {
-    /// The table as given.
-    fn table(&self) -> &str {
-        self.table.as_deref().or(self.material.as_deref()).unwrap_or_default()
-    }
-
     /// Checks the outputs, and reads all inputs; `others` are keys that one command alone gives.
     pub fn read(&self, outputs: &Roles, others: Vec<Override>) -> Result<Case, Failure> {
         let overrides = self.query.overrides(others)?;
@@ -120,24 +114,17 @@ impl InputOptions {
             true => Some(self.topography.characterize(&self.surface, false)?),
             false => self.topography.refuse(&self.surface).map(|()| None)?,
         };
-        let file = self.surface_file(measured.as_ref(), &overrides).map_err(Failure::input)?;
-        let heights = file.heights_file.iter().map(|heights| ("the heights of the surface file", &**heights));
-        check_results(&heights.collect::<Vec<_>>(), outputs)?;
-
-        Case::open(file, measured, self.table(), self.allow_missing).map_err(Failure::input)
-    }
-
-    fn surface_file(
-        &self,
-        measured: Option<&Characterization>,
-        overrides: &[Override],
-    ) -> Result<SurfaceFile, SurfaceFileError> {
-        match measured {
+        let file = match &measured {
             Some(found) => {
                 let name = self.topography.name(&self.surface);
-                surface_of(found, (&self.surface, &name), overrides)
+                surface_of(found, (&self.surface, &name), &overrides)
             }
-            None => SurfaceFile::read_with(&self.surface, overrides),
-        }
+            None => SurfaceFile::read_with(&self.surface, &overrides),
+        };
+        let file = file.map_err(Failure::input)?;
+        let heights = file.heights_file.iter().map(|heights| ("the heights of the surface file", &**heights));
+        check_results(&heights.collect::<Vec<_>>(), outputs)?;
+        let table = self.table.as_deref().or(self.material.as_deref()).unwrap_or_default();
+        Case::open(file, measured, table, self.allow_missing).map_err(Failure::input)
     }
 }

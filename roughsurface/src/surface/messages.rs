@@ -5,7 +5,8 @@ use tables::quantity::nearest;
 
 /// The message of serde in terms of the file, with the known key nearest to an unknown one.
 pub(crate) fn explain(path: &str, message: &str) -> String {
-    let message = one_line(message);
+    // In one line.
+    let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
     let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
     let parent = |key: &str| {
         let path = path.strip_suffix(key).unwrap_or(path);
@@ -61,10 +62,6 @@ pub(crate) fn short(message: &str) -> String {
         None => message.to_owned(),
         Some((end, _)) => format!("{}… ({} bytes)", &message[..end], message.len()),
     }
-}
-
-fn one_line(message: &str) -> String {
-    message.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The full path of the key that an unknown one of a section probably means: the same name in another section, or a
