@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use tables::quantity::Quantity;
-use tables::table::{Metadata, Slice, Status, Table};
+use tables::table::{Slice, Status, Table};
 
 use super::*;
 use crate::discretisation::mesh::MeshSize;

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use tables::table::{Cell, Metadata, Slice, Table};
+use tables::table::{Cell, Slice, Table};
 
 use crate::{alone, asperity, done, ended};
 
@@ -49,7 +49,7 @@ fn merged_shards_are_the_undivided_table_bit_for_bit() {
             let cell = Cell { wall_time: 0.0, ..table.cell(i, j).unwrap().clone() };
             table.set_cell(i, j, cell).unwrap();
         }
-        table.set_metadata(Metadata { history: String::new(), ..table.metadata().clone() });
+        table.metadata_mut().history = String::new();
         table
     };
     let (whole, merged) = (numbers("whole.nc"), numbers("merged.nc"));
@@ -104,7 +104,7 @@ fn shards_that_do_not_belong_together_are_refused() {
     let shard = read(&folder, "2.nc");
     let scene = shard.metadata().scene.replace("slip_distance = 0.05", "slip_distance = 0.06");
     let mut other = shard.clone();
-    other.set_metadata(Metadata { scene, ..shard.metadata().clone() });
+    other.metadata_mut().scene = scene;
     other.write(&folder.join("request.nc")).unwrap();
     let parts = ["1.nc and request.nc", "their request", "slip_distance = 0.05", "slip_distance = 0.06"];
     refused("merge 1.nc request.nc -o m2.nc", &parts, "m2.nc");

@@ -2,7 +2,6 @@
 
 use crate::demonstration::{Weakening, table};
 use crate::folder::{Folder, stderr};
-use tables::table::Metadata;
 
 const SURFACE: &str = r#"
 [surface]
@@ -142,7 +141,7 @@ fn several_files_are_a_dependence_on_temperature() {
     let hot = Weakening { strength: 1.1, ..Weakening::new() };
     for (kelvin, law) in [(298.0, Weakening::new()), (500.0, hot)] {
         let mut slice = table(&law);
-        slice.set_metadata(Metadata { temperature: kelvin, ..slice.metadata().clone() });
+        slice.metadata_mut().temperature = kelvin;
         slice.write(&folder.path("at.nc")).unwrap();
         folder.write("at.toml", SURFACE.replace("[query]", &format!("[query]\ntemperature = {kelvin:?}")));
         folder.run_well(&format!("predict at.toml --table at.nc -o {kelvin}.nc --quiet"));

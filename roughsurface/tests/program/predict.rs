@@ -8,7 +8,7 @@ use roughsurface::friction::{Settings, predict};
 use roughsurface::surface::file::SurfaceFile;
 use tables::closed_forms::{NAMES, hertz};
 use tables::netcdf::DatasetWriter;
-use tables::table::{Metadata, Table};
+use tables::table::Table;
 
 const SURFACE: &str = r#"
 [surface]
@@ -61,7 +61,7 @@ fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
     let folder = Folder::with(SURFACE);
     let cold = table(&Weakening::new());
     let mut hot = table(&Weakening { strength: 1.1, ..Weakening::new() });
-    hot.set_metadata(Metadata { temperature: 500.0, ..hot.metadata().clone() });
+    hot.metadata_mut().temperature = 500.0;
     hot.write(&folder.path("hot.nc")).unwrap();
     Table::new(vec![cold, hot]).unwrap().write(&folder.path("both.nc")).unwrap();
     folder.refused("predict surface.toml --table both.nc -o friction.nc", "from 298 to 500 K");

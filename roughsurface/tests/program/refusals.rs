@@ -1,7 +1,5 @@
 //! Contacts beyond the model, and signals.
 
-use tables::table::Metadata;
-
 use crate::demonstration::{Weakening, table};
 use crate::folder::{Folder, MATERIAL, stderr, surface};
 
@@ -27,8 +25,7 @@ fn no_closed_form_is_taken_to_an_indentation_of_a_thousand_radii() {
 fn a_table_of_slides_at_held_load_is_refused() {
     let folder = sharp("pressure = 1e5");
     let mut held = table(&Weakening::new());
-    let scene = "[loading]\ncontrol = \"load\"\n".to_owned();
-    held.set_metadata(Metadata { scene, ..held.metadata().clone() });
+    held.metadata_mut().scene = "[loading]\ncontrol = \"load\"\n".to_owned();
     held.write(&folder.path("table.nc")).unwrap();
     let predict = "predict surface.toml --table table.nc -o f.nc";
     folder.refused(predict, "loading.control = \"load\"");

@@ -28,27 +28,17 @@ impl Slice {
             cell.warnings = vec![format!("interpolated from neighbouring points ({reason})")];
             table.set_cell(i, j, cell).expect("as long as its neighbours");
         }
-        let is_missing = |interference: f64, slip_rate: f64| {
-            table.grid().any(|(i, j)| {
-                table.coordinates(i, j) == (interference, slip_rate) && table.cell(i, j).is_none()
-            })
-        };
-        let without = self.grid().filter(|(i, j)| self.cell(*i, *j).is_none());
-        let passed: Vec<_> = without
-            .filter(|(i, j)| {
-                let (interference, slip_rate) = self.coordinates(*i, *j);
-                !is_missing(interference, slip_rate)
-            })
-            .collect();
-        if passed.is_empty() {
-            return (table, passed);
+        let without = |slice: &Slice| slice.grid().filter(|(i, j)| slice.cell(*i, *j).is_none()).collect();
+        let missing: Vec<(usize, usize)> = without(&table);
+        let missing: Vec<(f64, f64)> = missing.into_iter().map(|(i, j)| table.coordinates(i, j)).collect();
+        let mut passed: Vec<(usize, usize)> = without(self);
+        passed.retain(|(i, j)| !missing.contains(&self.coordinates(*i, *j)));
+        if !passed.is_empty() {
+            table.metadata_mut().comment = table.warnings().join("\n");
+            if table.shape() != self.shape() {
+                table.metadata_mut().interpolation_tolerance = None;
+            }
         }
-        let mut metadata = table.metadata().clone();
-        metadata.comment = table.warnings().join("\n");
-        if table.shape() != self.shape() {
-            metadata.interpolation_tolerance = None;
-        }
-        table.set_metadata(metadata);
         (table, passed)
     }
 

@@ -13,7 +13,7 @@ pub mod statistics;
 use crate::law::Estimate;
 use crate::numbers::rounded;
 use crate::quantity::{COVERAGE_FACTOR, OF_BOUND, Quantity};
-use crate::table::{Axes, Metadata, Slice};
+use crate::table::{Axes, Slice};
 use cross_validation::{Along, CrossValidation};
 
 /// Quantities whose error of interpolation is judged: those of friction.
@@ -164,8 +164,7 @@ impl Slice {
             }
             self.set_cell(i, j, cell).expect("its histories were as long as the slip axis before");
         }
-        let metadata = Metadata { interpolation_tolerance: Some(tolerance), ..self.metadata().clone() };
-        self.set_metadata(metadata);
+        self.metadata_mut().interpolation_tolerance = Some(tolerance);
         self
     }
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::numbers::Spacing::Log;
-use crate::table::{Cell, Status};
+use crate::table::{Cell, Metadata, Status};
 
 const RADIUS: f64 = 1e-3;
 const TEMPERATURE: f64 = 298.0;

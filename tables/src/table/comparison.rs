@@ -91,20 +91,19 @@ impl Slice {
             let (interference, slip_rate) = self.coordinates(i, j);
             let there =
                 find(&other.axes().interference, interference).zip(find(&other.axes().slip_rate, slip_rate));
-            match there {
-                Some(there) => pairs.push(((i, j), there)),
-                None => comparison.only_here += 1,
-            }
-        }
-        comparison.common = pairs.len();
-        comparison.only_there = other.grid().count() - pairs.len();
-        for &((i, j), (k, l)) in &pairs {
+            let Some((k, l)) = there else {
+                comparison.only_here += 1;
+                continue;
+            };
+            pairs.push(((i, j), (k, l)));
             let (here, there) = (self.status(i, j), other.status(k, l));
             if discriminant(here) != discriminant(there) {
                 let [here, there] = [here, there].map(in_words);
                 comparison.states.push(OfKey { key: self.label(i, j), here, there });
             }
         }
+        comparison.common = pairs.len();
+        comparison.only_there = other.grid().count() - pairs.len();
         comparison
             .states
             .extend(Quantity::SCALARS.into_iter().filter_map(|q| self.one_sided(other, &pairs, q)));

@@ -2,7 +2,7 @@
 
 use crate::numbers::digits;
 use crate::table::sentences::Sentence;
-use crate::table::{Axes, Metadata, Slice, Status, TableError};
+use crate::table::{Axes, Slice, Status, TableError};
 
 impl Slice {
     /// Grid points that have not been run, in the order of the grid.
@@ -22,6 +22,7 @@ impl Slice {
     /// here. Request, axes and program must be the same, and so must be what both have done,
     /// but for the wall times.
     pub fn merge(&mut self, other: &Slice) -> Result<(), TableError> {
+        use Status::{Done, Failed, NotRun};
         self.check_same_origin(other)?;
         for (i, j) in self.grid() {
             if let (Some(cell), Some(there)) = (self.cell(i, j), other.cell(i, j))
@@ -32,18 +33,12 @@ impl Slice {
             }
         }
         for (i, j) in self.grid() {
-            let better = match (self.status(i, j), other.status(i, j)) {
-                (Status::Done(_), _) => false,
-                (_, Status::Done(_)) => true,
-                (Status::NotRun, Status::Failed(_)) => true,
-                _ => false,
-            };
-            if better {
-                self.set_status(i, j, other.status(i, j).clone());
+            let states = (self.status(i, j), other.status(i, j));
+            if let (NotRun | Failed(_), there @ Done(_)) | (NotRun, there @ Failed(_)) = states {
+                self.set_status(i, j, there.clone());
             }
         }
-        let comment = self.warnings().join("\n");
-        self.set_metadata(Metadata { comment, ..self.metadata().clone() });
+        self.metadata_mut().comment = self.warnings().join("\n");
         Ok(())
     }
 
@@ -148,14 +143,11 @@ impl Slice {
         }
         let mut table = Slice::new(axes, self.metadata().clone())?;
         let find = |axis: &[f64], value: f64| axis.iter().position(|known| *known == value);
-        for (i, omega) in table.axes().interference.clone().into_iter().enumerate() {
-            let Some(i_here) = find(&self.axes().interference, omega) else {
-                continue;
-            };
-            for (j, rate) in table.axes().slip_rate.clone().into_iter().enumerate() {
-                if let Some(j_here) = find(&self.axes().slip_rate, rate) {
-                    table.set_status(i, j, self.status(i_here, j_here).clone());
-                }
+        for (i, j) in table.grid() {
+            let (omega, rate) = table.coordinates(i, j);
+            let here = find(&self.axes().interference, omega).zip(find(&self.axes().slip_rate, rate));
+            if let Some((i_here, j_here)) = here {
+                table.set_status(i, j, self.status(i_here, j_here).clone());
             }
         }
         Ok(table)
@@ -194,7 +186,7 @@ pub(crate) fn first_difference(here: &str, there: &str) -> (String, String) {
 mod tests {
     use super::*;
     use crate::quantity::Quantity;
-    use crate::table::Cell;
+    use crate::table::{Cell, Metadata};
 
     fn axes() -> Axes {
         Axes { interference: vec![1.0, 2.0], slip_rate: vec![0.0, 0.5, 1.0], slip: vec![0.0, 2.0] }
@@ -210,27 +202,14 @@ mod tests {
         let mut slice = Slice::new(axes, Metadata::default()).unwrap();
         let warned = [(0, 1), (0, 2), (1, 1), (1, 2), (3, 1), (3, 2)];
         for (i, j) in slice.grid() {
-            let mut cell = cell(0.3);
+            let mut cell = Cell { warnings: vec!["everywhere".to_owned()], ..cell(0.3) };
             cell.warnings.extend(warned.contains(&(i, j)).then(|| "hot".to_owned()));
             cell.warnings.extend([(0, 0), (0, 2), (1, 1)].contains(&(i, j)).then(|| "odd".to_owned()));
             slice.set_cell(i, j, cell).unwrap();
         }
         let odd = "odd [1 omega_c at 0 m/s; 1 omega_c at 1 m/s; 2 omega_c at 0.5 m/s]";
         let hot = "hot [1 to 2 omega_c at 0.5 to 1 m/s; 4 omega_c at 0.5 to 1 m/s]";
-        assert_eq!(slice.warnings(), [odd, hot]);
-    }
-
-    #[test]
-    fn shards_merge_to_the_whole() {
-        let mut whole = Slice::new(axes(), Metadata::default()).unwrap();
-        let (mut first, mut second) = (whole.clone(), whole.clone());
-        whole.set_cell(0, 1, cell(0.3)).unwrap();
-        first.set_cell(0, 1, cell(0.3)).unwrap();
-        first.mark_failed(1, 1, "no memory");
-        whole.set_cell(1, 1, cell(0.2)).unwrap();
-        second.set_cell(1, 1, cell(0.2)).unwrap();
-        first.merge(&second).unwrap();
-        assert_eq!(first, whole);
+        assert_eq!(slice.warnings(), ["everywhere", odd, hot]);
     }
 
     #[test]
@@ -271,19 +250,6 @@ mod tests {
             error.to_string(),
             "the tables have different results at interference 1 and slip rate 0.5 m/s"
         );
-    }
-
-    #[test]
-    fn a_warning_of_some_cells_names_them() {
-        let mut table = Slice::new(axes(), Metadata::default()).unwrap();
-        let warned = |warnings: &[&str]| {
-            let mut cell = cell(0.3);
-            cell.warnings = warnings.iter().map(|text| text.to_string()).collect();
-            cell
-        };
-        table.set_cell(0, 1, warned(&["everywhere"])).unwrap();
-        table.set_cell(1, 0, warned(&["here", "everywhere"])).unwrap();
-        assert_eq!(table.warnings(), ["everywhere", "here [2 omega_c at 0 m/s]"]);
     }
 
     #[test]

@@ -145,11 +145,10 @@ impl Table {
 
     /// Changes history and shard.
     pub fn set_provenance(&mut self, history: &str, shard: &str) {
-        self.change_metadata(|metadata| Metadata {
-            history: history.into(),
-            shard: shard.into(),
-            ..metadata
-        });
+        for slice in &mut self.slices {
+            let metadata = slice.metadata_mut();
+            (metadata.history, metadata.shard) = (history.into(), shard.into());
+        }
     }
 
     /// Makes the comment that of all warnings.
@@ -159,13 +158,7 @@ impl Table {
 
     /// Changes the comment.
     pub fn set_comment(&mut self, comment: &str) {
-        self.change_metadata(|metadata| Metadata { comment: comment.into(), ..metadata });
-    }
-
-    fn change_metadata(&mut self, change: impl Fn(Metadata) -> Metadata) {
-        for slice in &mut self.slices {
-            slice.set_metadata(change(slice.metadata().clone()));
-        }
+        self.slices.iter_mut().for_each(|slice| slice.metadata_mut().comment = comment.into());
     }
 
     /// Every warning once, with the initial temperature that it concerns unless these are all.

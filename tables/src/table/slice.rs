@@ -82,9 +82,9 @@ impl Slice {
         &self.metadata
     }
 
-    /// Changes the metadata; results are unchanged.
-    pub fn set_metadata(&mut self, metadata: Metadata) {
-        self.metadata = metadata;
+    /// The same to be changed; results are unchanged.
+    pub fn metadata_mut(&mut self) -> &mut Metadata {
+        &mut self.metadata
     }
 
     /// (numbers of interferences, of slip rates).

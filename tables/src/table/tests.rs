@@ -18,6 +18,7 @@ fn shards_merge_to_the_whole() {
     for (k, (one, other)) in first.slices.iter_mut().zip(&mut second.slices).enumerate() {
         let (i, j) = (k % 2, k / 2 % 2);
         one.set_status(i, j, Status::NotRun);
+        one.mark_failed(i, 1 - j, "no memory");
         other.set_status(1 - i, j, Status::NotRun);
     }
     assert_eq!(first.missing()[1], "10 omega_c at 0 m/s from 500 K");

@@ -40,9 +40,9 @@ fn seeds(kind: &str, folder: &Path) -> Vec<Vec<u8>> {
             table().write(&path).unwrap();
             let one = std::fs::read(&path).unwrap();
             let mut hot = table();
-            hot.set_metadata(Metadata { temperature: 500.0, ..hot.metadata().clone() });
+            hot.metadata_mut().temperature = 500.0;
             let mut cold = table();
-            cold.set_metadata(Metadata { temperature: 300.0, ..cold.metadata().clone() });
+            cold.metadata_mut().temperature = 300.0;
             Table::new(vec![cold, hot]).unwrap().write(&path).unwrap();
             vec![one, std::fs::read(path).unwrap()]
         }

@@ -33,8 +33,8 @@ fn every_temperature_has_the_table_of_its_own_request() {
     // But for the texts that name the other temperatures.
     let numbers = |slice: &Slice| {
         let mut slice = slice.clone();
-        let [title, scene] = [String::new(), String::new()];
-        slice.set_metadata(Metadata { title, scene, ..slice.metadata().clone() });
+        let metadata = slice.metadata_mut();
+        (metadata.title, metadata.scene) = (String::new(), String::new());
         slice
     };
     for (slice, &temperature) in all.slices().iter().zip(&request.temperatures) {

@@ -43,12 +43,10 @@ impl Table {
             None if (from..=to).contains(&asked) => self.between(&temperatures, asked),
             None => return Err(TemperatureError::Outside { asked, from, to }),
         };
-        let metadata = slice.metadata().clone();
-        slice.set_metadata(Metadata {
-            title: format!("{}, at {} K", metadata.title, plain(metadata.temperature)),
-            comment: slice.warnings().join("\n"),
-            ..metadata
-        });
+        let comment = slice.warnings().join("\n");
+        let metadata = slice.metadata_mut();
+        metadata.title += &format!(", at {} K", plain(metadata.temperature));
+        metadata.comment = comment;
         Ok(slice.interpolated())
     }
 

@@ -208,7 +208,7 @@ fn refusals_name_the_range() {
     assert_eq!(one.at(None).unwrap().into_slice(), table(300.0));
 
     let mut other = table(450.0);
-    other.set_metadata(Metadata { heat_partition: 0.7, ..other.metadata().clone() });
+    other.metadata_mut().heat_partition = 0.7;
     let message = Table::new(vec![table(300.0), other]).unwrap_err().to_string();
     assert!(message.contains("heat_partition: 0.0") && message.contains("heat_partition: 0.7"), "{message}");
     let falling = Table::new(vec![table(450.0), table(300.0)]).unwrap_err().to_string();

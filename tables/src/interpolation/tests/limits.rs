@@ -122,13 +122,9 @@ fn a_film_shears_at_its_own_strength_below_the_first_row() {
                     .with_history(Quantity::Friction, history);
                 slice.set_cell(row, rate, cell).unwrap();
             }
-            let metadata = slice.metadata().clone();
-            slice.set_metadata(Metadata {
-                film_strength: Some(film),
-                pressure_coefficient: Some(coefficient),
-                strength_factor: None,
-                ..metadata
-            });
+            let metadata = slice.metadata_mut();
+            (metadata.film_strength, metadata.pressure_coefficient) = (Some(film), Some(coefficient));
+            metadata.strength_factor = None;
         });
         for omega in [0.4, 0.1, 0.01] {
             let state = table.response(RADIUS, omega, 0.0, 1e-3).unwrap();

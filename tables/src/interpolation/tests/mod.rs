@@ -170,9 +170,7 @@ fn other_radii_see_the_same_dimensionless_asperity() {
     let (one, tenth) = (energy(RADIUS, 1.0).unwrap(), energy(0.1 * RADIUS, 10.0).unwrap());
     assert!(relative(tenth.value, 0.1 * one.value) < 1e-12);
 
-    let mut metadata = table.metadata().clone();
-    metadata.gap_conductance = 1e4;
-    let fixed = changed(|slice| slice.set_metadata(metadata));
+    let fixed = changed(|slice| slice.metadata_mut().gap_conductance = 1e4);
     assert!(fixed.response(RADIUS, 7.0, 1.0, 0.0).is_ok());
     let refused = fixed.response(2.0 * RADIUS, 7.0, 1.0, 0.0).unwrap_err();
     assert!(matches!(refused, LookupError::RadiusFixed { .. }));
@@ -184,9 +182,8 @@ fn a_strength_that_grows_with_the_strain_rate_adds_to_the_errors_at_other_radii(
     const C: f64 = 0.02;
     let slice = || slice_of(Log.range(0.5, 100.0, 8), Log.range(0.1, 10.0, 5));
     let (plain, mut rated) = (slice().interpolated(), slice());
-    let mut metadata = plain.metadata().clone();
+    let metadata = rated.metadata_mut();
     (metadata.rate_coefficient, metadata.rate_reference) = (Some(C), Some(1.0));
-    rated.set_metadata(metadata);
     let rated = rated.interpolated();
     // Over the strength at the lowest slip rate in the largest contact.
     let (last, slowest) = (plain.interference_limit(), plain.axes().slip_rate[0]);
