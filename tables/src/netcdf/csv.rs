@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use crate::numbers::exact;
-use crate::quantity::{Estimate, Quantity};
+use crate::quantity::{Estimate, Quantity, Scalars};
 use crate::table::{Cell, Slice, Status, Table};
 
 impl Table {
@@ -32,9 +32,8 @@ impl Table {
             };
             line.push(state.to_string());
             let cell = table.cell(i, j);
-            for quantity in Quantity::SCALARS {
-                line.push(cell.map_or(String::new(), |cell| number(cell[quantity].value)));
-                line.push(cell.map_or(String::new(), |cell| number(cell[quantity].error)));
+            for (_, estimate) in cell.map_or_else(Scalars::default, |cell| cell.scalars).iter() {
+                line.extend([number(estimate.value), number(estimate.error)]);
             }
             line.push(cell.map_or(String::new(), |cell| cell.steady.to_string()));
             line.push(cell.map_or(String::new(), |cell| number(cell.wall_time)));

@@ -1,6 +1,5 @@
 //! Checks of the files to be written, before the work begins.
 
-use std::fmt::Display;
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
@@ -159,43 +158,6 @@ fn check_place(place: &Path) -> Result<(), String> {
 /// Whether a file can be created in a folder.
 pub fn probe(folder: &Path) -> io::Result<()> {
     tempfile::tempfile_in(folder).map(drop)
-}
-
-/// Why a result is not in its place, and where it is.
-#[derive(Debug, thiserror::Error)]
-#[error("{0}")]
-pub struct NotSaved(String);
-
-/// Writes a result that took long to compute. Where `output` cannot take it, it is saved in a new folder in the current
-/// directory or in that of temporary files, which the error names.
-///
-/// ```
-/// use tables::netcdf::{save, write_atomically};
-///
-/// let nowhere = std::path::Path::new("no-such-folder/result.txt");
-/// let error = save(nowhere, |path| write_atomically(path, b"result")).unwrap_err().to_string();
-/// let (_, place) = error.split_once("the results are in ").unwrap();
-/// let place = std::path::Path::new(place.strip_suffix(" instead").unwrap());
-/// assert_eq!(std::fs::read_to_string(place)?, "result");
-/// # std::fs::remove_dir_all(place.parent().unwrap())?;
-/// # Ok::<(), std::io::Error>(())
-/// ```
-pub fn save<E: Display>(output: &Path, write: impl Fn(&Path) -> Result<(), E>) -> Result<(), NotSaved> {
-    let Err(error) = write(output) else { return Ok(()) };
-    let folders = [std::env::current_dir().ok(), Some(std::env::temp_dir())];
-    for folder in folders.into_iter().flatten() {
-        // A new folder: nothing of that name is overwritten, and no link is followed.
-        let Ok(new) = tempfile::Builder::new().prefix("asperity-").tempdir_in(folder) else { continue };
-        let place = new.path().join(output.file_name().unwrap_or_default());
-        if write(&place).is_ok() {
-            let _ = new.keep();
-            return Err(NotSaved(format!("{error}; the results are in {} instead", place.display())));
-        }
-    }
-    Err(NotSaved(format!(
-        "{error}; nor can the current directory or {} be written: the results are lost",
-        std::env::temp_dir().display()
-    )))
 }
 
 #[cfg(test)]

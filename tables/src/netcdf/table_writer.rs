@@ -77,15 +77,10 @@ impl TableWriter<'_> {
         let of_members = |value: &dyn Fn(&Metadata) -> f64| -> Vec<f64> {
             slices.iter().map(|slice| value(slice.metadata())).collect()
         };
-        self.file.coordinate(
-            "temperature",
-            &of_members(&|metadata| metadata.temperature),
-            &[
-                ("units", "K".into()),
-                ("long_name", "initial temperature of body and flat".into()),
-                ("units_metadata", "temperature: on_scale".into()),
-            ],
-        )?;
+        let mut attributes = described("K", "initial temperature of body and flat");
+        attributes.push(("units_metadata", "temperature: on_scale".into()));
+        let temperatures = of_members(&|metadata| metadata.temperature);
+        self.file.coordinate("temperature", &temperatures, &attributes)?;
         let mut variable = |name: &str, units: &str, long_name: &str, value: &dyn Fn(&Metadata) -> f64| {
             self.file.reals(name, &["temperature"], &of_members(value), &described(units, long_name))
         };
@@ -116,15 +111,9 @@ impl TableWriter<'_> {
         let axes = self.slices[0].axes();
         let long_name = "interference over critical interference of first yield";
         self.file.coordinate("interference", &axes.interference, &described("1", long_name))?;
-        self.file.coordinate(
-            "slip_rate",
-            &axes.slip_rate,
-            &[
-                ("units", "m s-1".into()),
-                ("long_name", "slip rate; 0 is the isothermal limit".into()),
-                ("radius_exponent", (-1).into()),
-            ],
-        )?;
+        let mut attributes = described("m s-1", "slip rate; 0 is the isothermal limit");
+        attributes.push(("radius_exponent", (-1).into()));
+        self.file.coordinate("slip_rate", &axes.slip_rate, &attributes)?;
         let long_name = "slip over contact radius at the end of the press";
         self.file.coordinate("slip", &axes.slip, &described("1", long_name))
     }
@@ -139,7 +128,7 @@ impl TableWriter<'_> {
                 None => vec![f64::NAN; slips],
             });
             let along = format!("{long_name}, along the slide");
-            let attributes = describe(descriptor, along, "temperature: on_scale");
+            let attributes = describe(descriptor, &along, "temperature: on_scale");
             self.file.reals(&history_name(name), self.dimensions, &values.concat(), &attributes)?;
         }
         Ok(())
@@ -171,11 +160,11 @@ impl TableWriter<'_> {
         let known = self.over_cells(|slice, cell| cell.map_or(Estimate::UNKNOWN, |cell| of(slice, cell)));
         let (values, errors): (Vec<f64>, Vec<f64>) =
             known.into_iter().map(|Estimate { value, error }| (value, error)).unzip();
-        let mut attributes = describe(descriptor, long_name.into(), "temperature: on_scale");
+        let mut attributes = describe(descriptor, long_name, "temperature: on_scale");
         attributes.push(("ancillary_variables", format!("{error_name} status").into()));
         self.file.reals(name, self.grid(), &values, &attributes)?;
         let error_long_name = format!("half-width of the 95 % interval of the {long_name}");
-        let attributes = describe(descriptor, error_long_name, "temperature: difference");
+        let attributes = describe(descriptor, &error_long_name, "temperature: difference");
         self.file.reals(&error_name, self.grid(), &errors, &attributes)
     }
 
@@ -216,14 +205,11 @@ impl TableWriter<'_> {
 
 fn describe(
     descriptor: &Descriptor,
-    long_name: String,
+    long_name: &str,
     temperature_kind: &str,
 ) -> Vec<(&'static str, AttributeValue)> {
-    let mut attributes = vec![
-        ("units", descriptor.units.into()),
-        ("long_name", long_name.into()),
-        ("radius_exponent", descriptor.radius_exponent.into()),
-    ];
+    let mut attributes = described(descriptor.units, long_name);
+    attributes.push(("radius_exponent", descriptor.radius_exponent.into()));
     if descriptor.quantity.is_temperature() {
         attributes.push(("units_metadata", temperature_kind.into()));
     }
