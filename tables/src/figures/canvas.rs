@@ -9,7 +9,7 @@ use ttf_parser::Face;
 /// Subset of DejaVu Sans: Latin, Greek, Cyrillic, mathematical signs. Licence in `font/LICENSE`.
 pub(super) const FONT: &[u8] = include_bytes!("font/DejaVuSans.ttf");
 
-pub(super) static FACE: LazyLock<Face> =
+static FACE: LazyLock<Face> =
     LazyLock::new(|| Face::parse(FONT, 0).expect("the font of the program is valid"));
 
 /// (x, y) in points.
@@ -122,19 +122,13 @@ pub(super) fn runs(text: &str) -> Vec<Run> {
     runs
 }
 
-/// Number of the glyph of a character, or that of an unknown one.
-pub(super) fn glyph(character: char) -> ttf_parser::GlyphId {
-    FACE.glyph_index(character).unwrap_or_default()
-}
-
-/// Advance of a character at size 1.
-pub(super) fn advance(character: char) -> f64 {
-    let units = FACE.glyph_hor_advance(glyph(character)).unwrap_or(0);
-    f64::from(units) / f64::from(FACE.units_per_em())
-}
-
 /// Length of a text.
 pub(super) fn width(text: &str, size: f64) -> f64 {
+    // At size 1; of a character that the font lacks that of its replacement.
+    let advance = |character: char| {
+        let glyph = FACE.glyph_index(character).unwrap_or_default();
+        f64::from(FACE.glyph_hor_advance(glyph).unwrap_or(0)) / f64::from(FACE.units_per_em())
+    };
     runs(text).iter().map(|run| size * run.scale * run.text.chars().map(advance).sum::<f64>()).sum()
 }
 

@@ -5,7 +5,7 @@ use super::axis::steps;
 use super::canvas::{Color, Point};
 
 /// Polygons with a value at each corner, linear in between, and the meaning of the values.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     /// Corners (x, y, value) of convex polygons; those with a value that is not finite are left out.
     pub cells: Vec<Vec<[f64; 3]>>,
@@ -32,12 +32,6 @@ pub enum Colors {
     Bands { label: String, from: f64, to: f64 },
     /// The value is the place of a name in this list.
     Classes(Vec<String>),
-}
-
-impl Default for Colors {
-    fn default() -> Self {
-        Self::Classes(Vec::new())
-    }
 }
 
 /// "Inferno" of S. van der Walt and N. Smith (matplotlib, CC0): lightness rises evenly.

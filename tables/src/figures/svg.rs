@@ -94,7 +94,7 @@ fn pair((x, y): Point) -> String {
 }
 
 /// To a hundredth of a point.
-pub(super) fn number(value: f64) -> String {
+fn number(value: f64) -> String {
     format!("{}", (value * 100.0).round() / 100.0 + 0.0)
 }
 
