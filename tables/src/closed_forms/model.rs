@@ -65,6 +65,21 @@ pub struct UnknownClosedForm {
     pub name: String,
 }
 
+/// Steps of the search for gross slip from break to break.
+const SCANNED: usize = 8;
+
+/// A sphere in gross slip.
+struct Sliding {
+    /// P, N.
+    load: f64,
+    /// A, m².
+    area: f64,
+    /// Q/A, Pa.
+    strength: f64,
+    /// Slip at which the last point slips, m.
+    gross_slip: f64,
+}
+
 /// A closed form of the literature as a law of one asperity; see [`closed_form`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedForm {
@@ -78,9 +93,10 @@ pub struct ClosedForm {
     units: (f64, f64),
     /// ω/ω_c at which the contact is [`LARGEST_CONTACT`].
     contact_limit: f64,
-    /// Temperature of the isothermal contact, K, reported as `temperature_max`; 298 by default.
-    pub temperature: f64,
 }
+
+/// Temperature of the isothermal contact, K.
+const TEMPERATURE: f64 = 298.0;
 
 /// The closed form called `name`, for a sphere of `material`:
 ///
@@ -138,7 +154,6 @@ impl ClosedForm {
             critical_over_radius: material.critical_interference(1.0),
             units: normal.units(material.poisson_ratio),
             contact_limit: f64::INFINITY,
-            temperature: 298.0,
         };
         law.contact_limit = law.largest_interference();
         Ok(law)
@@ -172,24 +187,7 @@ impl ClosedForm {
         };
         (load * load_unit, area * unit)
     }
-}
 
-/// Steps of the search for gross slip from break to break.
-const SCANNED: usize = 8;
-
-/// A sphere in gross slip.
-struct Sliding {
-    /// P, N.
-    load: f64,
-    /// A, m².
-    area: f64,
-    /// Q/A, Pa.
-    strength: f64,
-    /// Slip at which the last point slips, m.
-    gross_slip: f64,
-}
-
-impl ClosedForm {
     fn sliding(&self, radius: f64, interference: f64) -> Sliding {
         let e_star = self.material.contact_modulus();
         let omega = self.critical_interference(radius);
@@ -279,8 +277,7 @@ impl AsperityLaw for ClosedForm {
         _slip_rate: f64,
         slip: f64,
     ) -> Result<Response, LookupError> {
-        let mut response =
-            Response { temperature_max: Estimate::exact(self.temperature), ..Response::default() };
+        let mut response = Response { temperature_max: Estimate::exact(TEMPERATURE), ..Response::default() };
         if interference <= 0.0 {
             return Ok(response);
         }
