@@ -2,8 +2,7 @@
 
 use std::ops::Index;
 
-use super::Quantity;
-use super::scalars::same;
+use super::{Quantity, same};
 
 /// Values of several quantities along the press or the slide, one column each.
 ///

@@ -20,6 +20,7 @@ mod words;
 
 pub use history::{History, State};
 pub use list::Quantity;
+pub(crate) use scalars::same;
 pub use scalars::{COVERAGE_FACTOR, Estimate, OF_BOUND, Scalars, WithUnit};
 pub use words::{hint, nearest, values_by_path};
 

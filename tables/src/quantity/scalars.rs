@@ -62,11 +62,6 @@ impl Estimate {
         // Sums of nothing are -0, which JSON would show.
         WithUnit { value: self.value + 0.0, error: self.error, unit }
     }
-
-    /// Whether both are the same, unknown ones included.
-    pub fn agrees_with(self, other: Self) -> bool {
-        same(self.value, other.value) && same(self.error, other.error)
-    }
 }
 
 /// A number with its error and unit, as JSON shows it: `{"value": …, "error": …, "unit": …}`, null for numbers that are
@@ -89,7 +84,7 @@ pub struct WithUnit<'a> {
 }
 
 /// Equal, or both unknown.
-pub(super) fn same(a: f64, b: f64) -> bool {
+pub(crate) fn same(a: f64, b: f64) -> bool {
     a == b || (a.is_nan() && b.is_nan())
 }
 
@@ -133,7 +128,7 @@ impl Default for Scalars {
 /// Unknown values (NaN) are equal to each other.
 impl PartialEq for Scalars {
     fn eq(&self, other: &Self) -> bool {
-        self.0.iter().zip(&other.0).all(|(a, b)| a.agrees_with(*b))
+        self.0.iter().zip(&other.0).all(|(a, b)| same(a.value, b.value) && same(a.error, b.error))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::{Index, IndexMut};
 
-use crate::quantity::{Estimate, History, Quantity, Scalars};
+use crate::quantity::{Estimate, History, Quantity, Scalars, same};
 
 /// Results at one interference and slip rate. Values not known are NaN.
 ///
@@ -91,9 +91,7 @@ impl IndexMut<Quantity> for Cell {
 
 impl PartialEq for Cell {
     fn eq(&self, other: &Self) -> bool {
-        let same_time =
-            self.wall_time == other.wall_time || (self.wall_time.is_nan() && other.wall_time.is_nan());
-        self.agrees_with(other) && same_time
+        self.agrees_with(other) && same(self.wall_time, other.wall_time)
     }
 }
 
