@@ -151,62 +151,100 @@ mod tests {
             let metal = name.trim_end_matches(RIGID).trim_end_matches(RATE);
             assert!(reach > 0.33 || (metal == "copper" && last == 3000.0), "{name}: {last}, {reach}");
             assert_eq!(metadata.counterface.is_empty(), name.ends_with(RIGID), "{name}");
-            for i in 0..axes.interference.len() {
-                for j in 0..axes.slip_rate.len() {
-                    let of = |quantity| table.cell(i, j).map(|cell| cell.scalars[quantity].value);
-                    let (at_inception, peak) = (of(Quantity::MuStatic), of(Quantity::MuPeak));
-                    assert!(peak.is_some() && at_inception <= peak, "{name}: {}", table.label(i, j));
-                }
+            for (i, j) in table.grid() {
+                let of = |quantity| table.cell(i, j).map(|cell| cell.scalars[quantity].value);
+                let (at_inception, peak) = (of(Quantity::MuStatic), of(Quantity::MuPeak));
+                assert!(peak.is_some() && at_inception <= peak, "{name}: {}", table.label(i, j));
             }
             let request = std::fs::read_to_string(format!("data/{name}.toml")).unwrap();
             assert!(request.contains(&format!("preset = \"{metal}\"")), "{request}");
         }
     }
 
-    /// Some rows of a table.
-    fn cut(table: &InterpolatedTable, rows: std::ops::Range<usize>) -> InterpolatedTable {
-        let axes = table.axes();
-        let axes = Axes { interference: axes.interference[rows].to_vec(), ..axes.clone() };
+    /// The table on a part of its interferences and slip rates.
+    fn reduced(table: &InterpolatedTable, axes: Axes) -> InterpolatedTable {
         (**table).clone().regridded(axes).unwrap().interpolated()
     }
 
+    /// Values of reduced tables against cells of the whole ones.
+    #[derive(Debug, Default)]
+    struct Tally {
+        /// Values within the error of the difference, that of two independent numbers.
+        inside: usize,
+        all: usize,
+        /// Largest deviation over that error.
+        farthest: f64,
+    }
+
+    impl Tally {
+        /// The deviation over the error of the difference.
+        fn add(&mut self, found: Estimate, cell: Estimate) -> f64 {
+            let (off, allowed) = ((found.value - cell.value).abs(), found.error.hypot(cell.error));
+            self.all += 1;
+            self.inside += usize::from(off <= allowed);
+            self.farthest = self.farthest.max(off / allowed);
+            off / allowed
+        }
+
+        fn is_covered(&self) -> bool {
+            self.inside as f64 >= 0.95 * self.all as f64
+        }
+    }
+
+    /// What a table cut to some rows gives for the cells outside of them, and these.
+    fn outside(
+        whole: &InterpolatedTable,
+        rows: std::ops::Range<usize>,
+        quantity: Quantity,
+    ) -> Vec<(Estimate, Estimate)> {
+        let interference = whole.axes().interference[rows.clone()].to_vec();
+        let cut = reduced(whole, Axes { interference, ..whole.axes().clone() });
+        let compared = |(i, j)| {
+            let (omega, rate) = whole.coordinates(i, j);
+            if rows.contains(&i) || omega >= cut.contact_limit() {
+                return None;
+            }
+            let found = cut.estimate(quantity, whole.metadata().asperity_radius, omega, rate).unwrap();
+            // There is no heat, and no error of it.
+            let is_cold = quantity == Quantity::TemperatureMax && found.value == whole.metadata().temperature;
+            (!is_cold).then(|| (found, whole.cell(i, j).unwrap()[quantity]))
+        };
+        whole.grid().filter_map(compared).collect()
+    }
+
     /// The shipped tables cut from 1.9 ω_c on, against all cells above: of each quantity the share that lies within the
-    /// error of the difference (that of two independent numbers), and for tables cut from 10 ω_c on the mean deviation over its error.
+    /// error of the difference, and for tables cut from 10 ω_c on the mean deviation over its error.
     #[test]
     fn rows_above_a_cut_table_lie_within_the_stated_errors() {
+        use Quantity::*;
         let judged = [
-            Quantity::Load,
-            Quantity::LoadPress,
-            Quantity::Area,
-            Quantity::Friction,
-            Quantity::FrictionStatic,
-            Quantity::Mu,
-            Quantity::MuStatic,
-            Quantity::ContactRadius,
-            Quantity::InceptionSlip,
-            Quantity::EnergyRelease,
-            Quantity::TemperatureMax,
+            Load,
+            LoadPress,
+            Area,
+            Friction,
+            FrictionStatic,
+            Mu,
+            MuStatic,
+            ContactRadius,
+            InceptionSlip,
+            EnergyRelease,
+            TemperatureMax,
         ];
         for quantity in judged {
-            let (mut inside, mut all, mut farthest) = (0, 0, 0.0_f64);
-            let mut ratios = Vec::new();
-            for name in names() {
-                for (cut_at, found, cell) in above_cut_tables(name, quantity) {
-                    let (off, allowed) = ((found.value - cell.value).abs(), found.error.hypot(cell.error));
-                    all += 1;
-                    inside += usize::from(off <= allowed);
-                    farthest = farthest.max(off / allowed);
-                    if cut_at >= 10.0 {
-                        ratios.push(off / allowed);
+            let (mut tally, mut ratios) = (Tally::default(), Vec::new());
+            for whole in names().map(|name| table(name).unwrap()) {
+                let rows = &whole.axes().interference;
+                for last in (0..rows.len() - 1).filter(|last| rows[*last] >= 1.9) {
+                    for (found, cell) in outside(&whole, 0..last + 1, quantity) {
+                        let ratio = tally.add(found, cell);
+                        ratios.extend((rows[last] >= 10.0).then_some(ratio));
                     }
                 }
             }
             let sharpness = ratios.iter().sum::<f64>() / ratios.len() as f64;
-            println!(
-                "{quantity:?}: {inside} of {all}, at most {farthest:.2}, mean {sharpness:.2} of the error"
-            );
-            assert!(all >= 300 && inside as f64 >= 0.95 * all as f64, "{quantity:?}: {inside} of {all}");
-            assert!(farthest < 1.5 && sharpness > 0.1, "{quantity:?}: {farthest} {sharpness}");
+            println!("{quantity:?}: {tally:?}, mean {sharpness:.2} of the error");
+            assert!(tally.all >= 300 && tally.is_covered(), "{quantity:?}: {tally:?}");
+            assert!(tally.farthest < 1.5 && sharpness > 0.1, "{quantity:?}: {tally:?} {sharpness}");
         }
     }
 
@@ -215,49 +253,77 @@ mod tests {
     fn rows_below_a_cut_table_lie_within_the_stated_errors() {
         use Quantity::*;
         for quantity in [Load, Area, Friction, Mu, MuStatic, InceptionSlip, EnergyRelease, TemperatureMax] {
-            let (mut inside, mut all, mut farthest) = (0, 0, 0.0_f64);
-            for name in names() {
-                let whole = table(name).unwrap();
-                let (rows, radius) = (whole.axes().interference.clone(), whole.metadata().asperity_radius);
+            let mut tally = Tally::default();
+            for whole in names().map(|name| table(name).unwrap()) {
+                let rows = &whole.axes().interference;
                 for first in (1..rows.len()).filter(|first| (0.65..=4.0).contains(&rows[*first])) {
-                    let cut = cut(&whole, first..rows.len());
-                    for (i, j) in whole.grid().filter(|(i, _)| *i < first) {
-                        let (omega, rate) = whole.coordinates(i, j);
-                        let (found, cell) =
-                            (cut.estimate(quantity, radius, omega, rate).unwrap(), whole.cell(i, j).unwrap());
-                        if found.value == whole.metadata().temperature {
-                            continue;
-                        }
-                        let off = (found.value - cell[quantity].value).abs();
-                        let allowed = found.error.hypot(cell[quantity].error);
-                        all += 1;
-                        inside += usize::from(off <= allowed);
-                        farthest = farthest.max(off / allowed);
+                    for (found, cell) in outside(&whole, first..rows.len(), quantity) {
+                        tally.add(found, cell);
                     }
                 }
             }
-            println!("{quantity:?}: {inside} of {all}, at most {farthest:.2}");
-            assert!(inside as f64 >= 0.95 * all as f64, "{quantity:?}: {inside} of {all}");
+            println!("{quantity:?}: {tally:?}");
+            assert!(tally.is_covered(), "{quantity:?}: {tally:?}");
         }
     }
 
-    /// Last interference of a cut table, what it gives for a cell above, and the cell.
-    fn above_cut_tables(name: &str, quantity: Quantity) -> Vec<(f64, Estimate, Estimate)> {
-        let whole = table(name).unwrap();
-        let (rows, radius) = (whole.axes().interference.clone(), whole.metadata().asperity_radius);
-        let mut compared = Vec::new();
-        for last in (0..rows.len() - 1).filter(|last| rows[*last] >= 1.9) {
-            let cut = cut(&whole, 0..last + 1);
-            for (i, j) in whole.grid().filter(|(i, _)| *i > last && rows[*i] < cut.contact_limit()) {
+    /// Friction and load between two slip rates a decade apart, of tables that have no others.
+    #[test]
+    fn two_slip_rates_have_errors_between_them() {
+        use Quantity::{Friction, Load, Mu};
+        let mut tally = Tally::default();
+        for whole in names().map(|name| table(name).unwrap()) {
+            let radius = whole.metadata().asperity_radius;
+            let rates = &whole.axes().slip_rate;
+            let [.., last] = rates[..] else { unreachable!("a table has slip rates") };
+            let first = rates.iter().position(|rate| *rate >= 0.09 * last).unwrap();
+            let coarse =
+                reduced(&whole, Axes { slip_rate: vec![rates[first], last], ..whole.axes().clone() });
+            for (i, j) in whole.grid().filter(|(_, j)| (first + 1..rates.len() - 1).contains(j)) {
                 let (omega, rate) = whole.coordinates(i, j);
-                let found = cut.estimate(quantity, radius, omega, rate).unwrap();
-                // There is no heat, and no error of it.
-                if quantity != Quantity::TemperatureMax || found.value != whole.metadata().temperature {
-                    compared.push((rows[last], found, whole.cell(i, j).unwrap()[quantity]));
-                }
+                let cell = whole.cell(i, j).unwrap();
+                let end = whole.last_slip() * cell[Quantity::ContactRadius].value;
+                let response = coarse.response(radius, omega, rate, end).unwrap();
+                tally.add(coarse.estimate(Mu, radius, omega, rate).unwrap(), cell[Mu]);
+                tally.add(response.friction, cell[Friction]);
+                tally.add(response.load, cell[Load]);
             }
         }
-        compared
+        println!("{tally:?}");
+        assert!(tally.all > 100 && tally.is_covered(), "{tally:?}");
+    }
+
+    /// Without their first two slip rates above zero the tables begin at a tenfold one.
+    #[test]
+    fn rises_below_the_first_slip_rate_lie_within_the_stated_errors() {
+        for quantity in [Quantity::TemperatureMax, Quantity::TemperatureMean] {
+            let (mut tally, mut farthest) = (Tally::default(), 0.0_f64);
+            for name in names().filter(|name| !name.ends_with(RATE)) {
+                let whole = table(name).unwrap();
+                let (radius, base) = (whole.metadata().asperity_radius, whole.metadata().temperature);
+                let rates = &whole.axes().slip_rate;
+                let slip_rate = [&rates[..1], &rates[3..]].concat();
+                let coarse = reduced(&whole, Axes { slip_rate, ..whole.axes().clone() });
+                for (i, j) in whole.grid().filter(|(_, j)| [1, 2].contains(j)) {
+                    let (omega, rate) = whole.coordinates(i, j);
+                    let cell = whole.cell(i, j).unwrap();
+                    let end = whole.last_slip() * cell[Quantity::ContactRadius].value;
+                    let found = match quantity {
+                        Quantity::TemperatureMax => {
+                            let at_rate = coarse.at_slip_rate(radius, rate).unwrap();
+                            at_rate(omega, end).unwrap().temperature_max
+                        }
+                        _ => coarse.estimate(quantity, radius, omega, rate).unwrap(),
+                    };
+                    let truth = cell[quantity];
+                    tally.add(found, truth);
+                    farthest = farthest.max((found.value - truth.value).abs() / (truth.value - base));
+                }
+            }
+            println!("{quantity:?}: {tally:?}, at most {:.0} %", 100.0 * farthest);
+            assert!(tally.all > 200 && tally.is_covered(), "{quantity:?}: {tally:?}");
+            assert!(farthest < 0.13, "{quantity:?}: {farthest}");
+        }
     }
 
     /// The table without every second interference and slip rate.
@@ -267,76 +333,8 @@ mod tests {
             let last = axis.len() - 1;
             (0..=last).filter(|i| i % 2 == 0 || *i == last).map(|i| axis[i]).collect()
         };
-        let axes =
-            Axes { interference: thin(&all.interference), slip_rate: thin(&all.slip_rate), ..all.clone() };
-        (**table).clone().regridded(axes).unwrap().interpolated()
-    }
-
-    /// Friction and load between two slip rates a decade apart, of tables that have no others.
-    #[test]
-    fn two_slip_rates_have_errors_between_them() {
-        use Quantity::{Friction, Load, Mu};
-        let (mut inside, mut all) = (0, 0);
-        for name in names() {
-            let whole = table(name).unwrap();
-            let radius = whole.metadata().asperity_radius;
-            let rates = &whole.axes().slip_rate;
-            let [.., last] = rates[..] else { unreachable!("a table has slip rates") };
-            let first = rates.iter().position(|rate| *rate >= 0.09 * last).unwrap();
-            let axes = Axes { slip_rate: vec![rates[first], last], ..whole.axes().clone() };
-            let coarse = (*whole).clone().regridded(axes).unwrap().interpolated();
-            for (i, j) in whole.grid().filter(|(_, j)| (first + 1..rates.len() - 1).contains(j)) {
-                let (omega, rate) = whole.coordinates(i, j);
-                let cell = whole.cell(i, j).unwrap();
-                let end = whole.axes().slip.last().unwrap() * cell[Quantity::ContactRadius].value;
-                let response = coarse.response(radius, omega, rate, end).unwrap();
-                let scalar = coarse.estimate(Mu, radius, omega, rate).unwrap();
-                for (found, truth) in
-                    [(scalar, cell[Mu]), (response.friction, cell[Friction]), (response.load, cell[Load])]
-                {
-                    all += 1;
-                    let allowed = found.error.hypot(truth.error);
-                    inside += usize::from((found.value - truth.value).abs() <= allowed);
-                }
-            }
-        }
-        println!("{inside} of {all}");
-        assert!(all > 100 && inside as f64 > 0.95 * f64::from(all), "{inside} of {all}");
-    }
-
-    /// Without their first two slip rates above zero the tables begin at a tenfold one.
-    #[test]
-    fn rises_below_the_first_slip_rate_lie_within_the_stated_errors() {
-        for quantity in [Quantity::TemperatureMax, Quantity::TemperatureMean] {
-            let (mut inside, mut all, mut farthest) = (0, 0, 0.0_f64);
-            for name in names().filter(|name| !name.ends_with(RATE)) {
-                let whole = table(name).unwrap();
-                let (radius, base) = (whole.metadata().asperity_radius, whole.metadata().temperature);
-                let rates = &whole.axes().slip_rate;
-                let axes = Axes { slip_rate: [&rates[..1], &rates[3..]].concat(), ..whole.axes().clone() };
-                let coarse = (*whole).clone().regridded(axes).unwrap().interpolated();
-                for (i, j) in whole.grid().filter(|(_, j)| [1, 2].contains(j)) {
-                    let (omega, rate) = whole.coordinates(i, j);
-                    let cell = whole.cell(i, j).unwrap();
-                    let end = whole.axes().slip.last().unwrap() * cell[Quantity::ContactRadius].value;
-                    let found = match quantity {
-                        Quantity::TemperatureMax => {
-                            let at_rate = coarse.at_slip_rate(radius, rate).unwrap();
-                            at_rate(omega, end).unwrap().temperature_max
-                        }
-                        _ => coarse.estimate(quantity, radius, omega, rate).unwrap(),
-                    };
-                    let truth = cell[quantity];
-                    let off = (found.value - truth.value).abs();
-                    all += 1;
-                    inside += usize::from(off <= found.error.hypot(truth.error));
-                    farthest = farthest.max(off / (truth.value - base));
-                }
-            }
-            println!("{quantity:?}: {inside} of {all}, at most {:.0} %", 100.0 * farthest);
-            assert!(all > 200 && inside as f64 >= 0.95 * f64::from(all), "{quantity:?}: {inside} of {all}");
-            assert!(farthest < 0.13, "{quantity:?}: {farthest}");
-        }
+        let [interference, slip_rate] = [&all.interference, &all.slip_rate].map(|axis| thin(axis));
+        reduced(table, Axes { interference, slip_rate, ..all.clone() })
     }
 
     /// Values at the omitted points of thinned tables lie within the errors of the difference, of scalars and of the
@@ -345,10 +343,9 @@ mod tests {
     fn omitted_points_lie_within_the_stated_errors() {
         use Quantity::*;
         for quantity in [Mu, MuStatic, EnergyRelease, Friction, Load, Area, TemperatureMax] {
-            let (mut inside, mut all) = ([0, 0], 0);
+            let mut tallies = [Tally::default(), Tally::default()];
             let (mut sizes, mut stated) = ([Vec::new(), Vec::new()], [Vec::new(), Vec::new()]);
-            for name in names() {
-                let whole = table(name).unwrap();
+            for whole in names().map(|name| table(name).unwrap()) {
                 let (coarse, radius) = (thinned(&whole), whole.metadata().asperity_radius);
                 for (i, j) in whole.grid() {
                     let (omega, rate) = whole.coordinates(i, j);
@@ -360,20 +357,18 @@ mod tests {
                     if is_known || scale == 0.0 {
                         continue;
                     }
-                    let end = whole.axes().slip.last().unwrap() * cell[ContactRadius].value;
+                    let end = whole.last_slip() * cell[ContactRadius].value;
                     let response = coarse.response(radius, omega, rate, end).unwrap();
                     let scalar = coarse.estimate(quantity, radius, omega, rate).unwrap();
-                    let found = match quantity {
-                        Friction => [scalar, response.friction],
-                        Load => [scalar, response.load],
-                        Area => [scalar, response.area],
-                        TemperatureMax => [scalar, response.temperature_max],
-                        _ => [scalar; 2],
+                    let of_response = match quantity {
+                        Friction => response.friction,
+                        Load => response.load,
+                        Area => response.area,
+                        TemperatureMax => response.temperature_max,
+                        _ => scalar,
                     };
-                    all += 1;
-                    for (k, found) in found.into_iter().enumerate() {
-                        let allowed = found.error.hypot(truth.error);
-                        inside[k] += usize::from((found.value - truth.value).abs() <= allowed);
+                    for (k, found) in [scalar, of_response].into_iter().enumerate() {
+                        tallies[k].add(found, truth);
                         stated[k].push(100.0 * found.error / scale);
                     }
                     sizes[0].push(100.0 * (scalar.value - truth.value).abs() / scale);
@@ -386,10 +381,8 @@ mod tests {
                     .map(|share| (values[(share * values.len() as f64) as usize] * 100.0).round() / 100.0)
             };
             let ([off, own], stated) = (sizes.each_mut().map(shown), stated.each_mut().map(shown));
-            println!(
-                "{quantity:?}: {inside:?} of {all}; true {off:?} %, stated {stated:?} %, cells {own:?} %"
-            );
-            assert!(inside.iter().all(|inside| *inside as f64 >= 0.95 * f64::from(all)), "{quantity:?}");
+            println!("{quantity:?}: {tallies:?}; true {off:?} %, stated {stated:?} %, cells {own:?} %");
+            assert!(tallies.iter().all(Tally::is_covered), "{quantity:?}");
             assert!(stated.iter().all(|stated| stated[0] < 4.0 * own[0]), "{quantity:?}");
         }
     }
