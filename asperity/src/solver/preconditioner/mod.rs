@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt;
+use faer::linalg::cholesky::llt::{self, factor::LltError};
 use faer::{Mat, MatMut, Par, Spec};
 
 use crate::interface::contact::{Contact, NodeStiffness};
@@ -18,10 +18,6 @@ use crate::solver::timings::{Kernel, Timings};
 pub use search::Search;
 
 mod search;
-
-/// The contact stiffness is not positive definite.
-#[derive(Debug)]
-pub struct Indefinite;
 
 pub struct Preconditioner {
     factors: Arc<HarmonicFactors>,
@@ -51,8 +47,8 @@ impl Preconditioner {
         }
     }
 
-    /// Factorises the present contact stiffness, if it has changed.
-    pub fn update(&mut self, contact: &Contact, timings: &mut Timings) -> Result<(), Indefinite> {
+    /// Factorises the present contact stiffness, if it has changed; the error is that it is not positive definite.
+    pub fn update(&mut self, contact: &Contact, timings: &mut Timings) -> Result<(), LltError> {
         if self.inside == contact.stiffness {
             return Ok(());
         }
@@ -83,8 +79,7 @@ impl Preconditioner {
                 Par::Seq,
                 MemStack::new(&mut MemBuffer::new(work)),
                 Spec::default(),
-            )
-            .map_err(|_| Indefinite)?;
+            )?;
         }
         self.inside.clone_from(&contact.stiffness);
         timings.since(Kernel::ContactFactorisation, start);
