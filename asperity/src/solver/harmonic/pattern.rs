@@ -233,23 +233,12 @@ fn elimination_order(mesh: &RevolvedMesh) -> Result<Vec<usize>, FactorError> {
         is_contact[node as usize] = true;
     }
     let interior: Vec<usize> = (0..nodes).filter(|&n| !is_contact[n] && !meridian.is_base[n]).collect();
-    let mut local = vec![usize::MAX; nodes];
+    let mut local = vec![ABSENT; nodes];
     for (i, &node) in interior.iter().enumerate() {
-        local[node] = i;
+        local[node] = i as u32;
     }
-    let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); interior.len()];
-    for quad in &meridian.quads {
-        for &a in quad {
-            for &b in quad {
-                let (i, j) = (local[a as usize], local[b as usize]);
-                if i != usize::MAX && j != usize::MAX && i <= j {
-                    neighbours[j].push(i);
-                }
-            }
-        }
-    }
-    let (column_start, row) = compress(&mut neighbours);
     let n = interior.len();
+    let (column_start, row) = upper_triangle(mesh, 1, &local, n..n);
     let graph = SymbolicSparseColMatRef::new_checked(n, n, &column_start, None, &row);
     let (mut order, mut rank) = (vec![0usize; n], vec![0usize; n]);
     let mut memory =
@@ -260,7 +249,8 @@ fn elimination_order(mesh: &RevolvedMesh) -> Result<Vec<usize>, FactorError> {
     Ok(order.into_iter().map(|i| interior[i]).chain(contact).collect())
 }
 
-/// Compressed columns of the permuted upper triangle.
+/// Compressed columns of the upper triangle over the places `position` of nodes and components; those of the contact
+/// are dense.
 fn upper_triangle(
     mesh: &RevolvedMesh,
     components: usize,
@@ -285,7 +275,15 @@ fn upper_triangle(
     for j in contact.clone() {
         columns[j].extend(contact.start..=j);
     }
-    compress(&mut columns)
+    let mut start = vec![0];
+    let mut row = Vec::new();
+    for mut column in columns {
+        column.sort_unstable();
+        column.dedup();
+        row.extend(column);
+        start.push(row.len());
+    }
+    (start, row)
 }
 
 /// Pattern of the Cholesky factor.
@@ -310,17 +308,4 @@ fn factorise_symbolically(
         MemStack::new(&mut memory),
     )
     .map_err(|_| FactorError::Memory)
-}
-
-/// Sorted, duplicate-free compressed columns.
-fn compress(columns: &mut [Vec<usize>]) -> (Vec<usize>, Vec<usize>) {
-    let mut start = vec![0];
-    let mut row = Vec::new();
-    for column in columns {
-        column.sort_unstable();
-        column.dedup();
-        row.extend_from_slice(column);
-        start.push(row.len());
-    }
-    (start, row)
 }

@@ -125,11 +125,6 @@ impl SingleFactors {
         self.triangle.lanes
     }
 
-    #[cfg(test)]
-    pub fn rings(&self) -> usize {
-        self.rings
-    }
-
     /// Length of the vector of all harmonics.
     pub fn len(&self) -> usize {
         (self.interior + self.rings) * SIZE * self.harmonics()

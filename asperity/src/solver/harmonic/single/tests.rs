@@ -53,7 +53,7 @@ fn a_force_on_few_nodes_reaches_what_they_are_eliminated_into() {
             .collect();
         single.close(&mut marked);
         let (within, beyond): (Vec<u32>, Vec<u32>) = all.iter().partition(|place| marked[**place as usize]);
-        assert!(within.len() > touched + single.rings() && !beyond.is_empty());
+        assert!(within.len() > touched + single.rings && !beyond.is_empty());
 
         let mut whole = force.clone();
         single.forward(&mut whole, &all);
@@ -79,7 +79,7 @@ fn single_precision_solves_what_double_does() {
         let largest = exact.iter().fold(0.0f64, |m, x| m.max(x.abs()));
 
         let lanes = factors.harmonics();
-        for rings in [0, 1, 3, single.rings()] {
+        for rings in [0, 1, 3, single.rings] {
             let places: Vec<u32> = single.places_before(rings).collect();
             let order = order(&single);
             let mut x: Vec<f32> = order.iter().map(|&i| force[i] as f32).collect();
