@@ -51,6 +51,7 @@ mod tests {
     use super::super::tests::body;
     use super::*;
     use crate::discretisation::collocation::Collocation;
+    use crate::discretisation::element::tests::nodal;
     use crate::scene::Hardening;
 
     /// Of a linear elastic displacement the stress is uniform, and so found at every node.
@@ -59,11 +60,7 @@ mod tests {
         let mut body = body(Hardening::None, Collocation::full(4));
         let columns = 4;
         let (radial, axial) = (2e-5, -3e-5);
-        let mut u = vec![0.0; body.mesh.field_length(3)];
-        for (node, &[r, z]) in body.mesh.meridian.nodes.iter().enumerate() {
-            u[node * 3 * columns..][..columns].fill(radial * r);
-            u[(node * 3 + 2) * columns..][..columns].fill(axial * z);
-        }
+        let u = nodal(&body.mesh, |[x, y, z]| [radial * x, radial * y, axial * z]);
         let mut force = vec![0.0; u.len()];
         body.internal_force(&u, None, &mut force);
         body.trial.accumulated.fill(0.25);

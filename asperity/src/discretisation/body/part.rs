@@ -37,29 +37,17 @@ pub(super) struct TangentPart<'a> {
 impl Body {
     /// The parts of the body, at displacements with these slopes ∂u/∂θ.
     pub(super) fn parts(&mut self) -> Vec<Part<'_>> {
-        let Self {
-            mesh,
-            solid,
-            time_step,
-            committed,
-            trial,
-            tangent,
-            finite_strain,
-            shapes,
-            slope,
-            partition,
-            ..
-        } = self;
-        let (mesh, solid, shapes, slope, time_step) = (&*mesh, &*solid, &*shapes, &slope[..], *time_step);
+        let (mesh, solid, shapes, slope) = (&self.mesh, &self.solid, &self.shapes, &self.slope[..]);
+        let (time_step, committed) = (self.time_step, &self.committed);
         let lanes = mesh.sectors.columns();
-        let mut trial = trial.slices_mut();
+        let mut trial = self.trial.slices_mut();
         let mut rest = TangentPart {
-            flows: &mut tangent.flows,
-            coefficients: &mut tangent.coefficients,
-            stiffness: &mut tangent.stiffness,
+            flows: &mut self.tangent.flows,
+            coefficients: &mut self.tangent.coefficients,
+            stiffness: &mut self.tangent.stiffness,
         };
-        let mut finite_strain = finite_strain.as_mut().map(FiniteTangentPart::whole);
-        let parts = partition.parts(lanes).into_iter();
+        let mut finite_strain = self.finite_strain.as_mut().map(FiniteTangentPart::whole);
+        let parts = self.partition.parts(lanes).into_iter();
         parts
             .map(|PartForces { elements, corners, forces }| {
                 let groups = elements.len() * lanes;

@@ -3,6 +3,7 @@
 use super::energies::MechanicalEnergies;
 use super::*;
 use crate::discretisation::collocation::Collocation;
+use crate::discretisation::element::tests::nodal;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::material::instruction_set;
 use crate::material::tests::steel;
@@ -160,14 +161,7 @@ fn expansion(rise: f64) -> f64 {
 fn uniform_heat_stresses_only_what_is_held() {
     for rise in [50.0, 100.0, 250.0] {
         let mut body = body_with(Hardening::None, Collocation::full(8), varying());
-        let columns = body.mesh.sectors.columns();
-        let mut u = vec![0.0; body.mesh.field_length(3)];
-        for (node, [r, z]) in body.mesh.meridian.nodes.clone().into_iter().enumerate() {
-            for j in 0..columns {
-                u[3 * node * columns + j] = expansion(rise) * r;
-                u[(3 * node + 2) * columns + j] = expansion(rise) * z;
-            }
-        }
+        let u = nodal(&body.mesh, |x| x.map(|x| expansion(rise) * x));
         let heat = vec![rise; body.mesh.field_length(1)];
         let mut force = vec![0.0; u.len()];
         body.internal_force(&u, Some(&heat), &mut force);

@@ -190,7 +190,7 @@ impl Part<'_> {
         self.point_stress::<W, N, V>(points, &deviator, heat)
     }
 
-    /// Moduli in logarithmic strain after [`Body::log_stress`].
+    /// Moduli in logarithmic strain after [`Part::log_stress`].
     #[inline(always)]
     fn log_moduli<const W: usize, const P: usize, V: Pack>(
         &self,
