@@ -79,8 +79,7 @@ impl Goal {
                     let share = |along: Along, index: usize, across: usize, breadth: usize| {
                         let pair = across..(across + 2).min(breadth);
                         let error = |at| {
-                            self.relevant(table, validation, along, index, at, quantity)
-                                / quantity.allowance()
+                            relevant(table, validation, along, index, at, quantity) / quantity.allowance()
                         };
                         pair.map(error).fold(0.0, f64::max)
                     };
@@ -101,28 +100,22 @@ impl Goal {
         }
         wanted
     }
+}
 
-    /// Error of an interval as far as a point in it can help.
-    fn relevant(
-        &self,
-        table: &Slice,
-        validation: &CrossValidation,
-        along: Along,
-        index: usize,
-        across: usize,
-        quantity: Quantity,
-    ) -> f64 {
-        let error = validation.interval(along, index, across, quantity);
-        let x = validation.coordinate(along);
-        let width = x[index + 1] - x[index];
-        if width < NARROWEST.ln() {
-            return 0.0;
-        }
-        if width < CLOSE.ln() && error <= own_error(table, along, index, across, quantity) {
-            return 0.0;
-        }
-        error
-    }
+/// Error of an interval as far as a point in it can help.
+fn relevant(
+    table: &Slice,
+    validation: &CrossValidation,
+    along: Along,
+    index: usize,
+    across: usize,
+    quantity: Quantity,
+) -> f64 {
+    let error = validation.interval(along, index, across, quantity);
+    let x = validation.coordinate(along);
+    let width = x[index + 1] - x[index];
+    let is_explained = || width < CLOSE.ln() && error <= own_error(table, along, index, across, quantity);
+    if width < NARROWEST.ln() || is_explained() { 0.0 } else { error }
 }
 
 /// The larger relative error of the results at both ends of an interval.
