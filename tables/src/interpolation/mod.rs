@@ -71,13 +71,6 @@ impl Deref for InterpolatedTable {
     }
 }
 
-/// The interpolant follows from the slice.
-impl PartialEq for InterpolatedTable {
-    fn eq(&self, other: &Self) -> bool {
-        self.slice == other.slice
-    }
-}
-
 impl InterpolatedTable {
     /// The numbers, to be changed.
     pub fn into_slice(self) -> Slice {
@@ -261,7 +254,7 @@ impl AsperityLaw for InterpolatedTable {
         let ratio = self.radius_ratio(radius)?;
         let rate = self.located_rate(0.0, slip_rate, ratio)?;
         let column = self.interpolant.at_rate(rate);
-        let first = self.interpolant.rows.map_or(0.0, |(first, _)| self.axes().interference[first]);
+        let first = self.interference_start();
         Ok(Box::new(move |interference, slip| {
             self.check_interference(interference)?;
             // The effect of heat there is taken from the slowest slip rate and the strain rate.
