@@ -62,28 +62,19 @@ impl Slice {
     }
 
     /// A cell between its nearest neighbours with results.
-    fn across(&self, i: usize, j: usize) -> Option<Cell> {
-        let (rows, columns) = self.shape();
+    fn across<'a>(&'a self, i: usize, j: usize) -> Option<Cell> {
         let [log_interference, rate_coordinate] = coordinates(self.axes());
-        let pair = |axis: &[f64], at: usize, length: usize, present: &dyn Fn(usize) -> bool| {
-            let before = (0..at).rev().find(|k| present(*k))?;
-            let after = (at + 1..length).find(|k| present(*k))?;
-            let gap = axis[after] - axis[before];
-            Some((gap, (axis[at] - axis[before]) / gap, before, after))
+        // Their distance, the fraction of it, and the neighbours.
+        let pair = |axis: &[f64], at: usize, cell: &dyn Fn(usize) -> Option<&'a Cell>| {
+            let known = |k: usize| Some((axis[k], cell(k)?));
+            let (start, before) = (0..at).rev().find_map(known)?;
+            let (end, after) = (at + 1..axis.len()).find_map(known)?;
+            Some((end - start, (axis[at] - start) / (end - start), [before, after]))
         };
-        let row = pair(&log_interference, i, rows, &|k| self.cell(k, j).is_some());
-        let column = pair(&rate_coordinate, j, columns, &|k| self.cell(i, k).is_some());
-        let along_row = match (row, column) {
-            (Some((one, ..)), Some((other, ..))) => one <= other,
-            (Some(_), None) => true,
-            (None, Some(_)) => false,
-            (None, None) => return None,
-        };
-        let (_, t, before, after) = if along_row { row? } else { column? };
-        let ends = match along_row {
-            true => [self.cell(before, j)?, self.cell(after, j)?],
-            false => [self.cell(i, before)?, self.cell(i, after)?],
-        };
+        let along_interference = pair(&log_interference, i, &|k| self.cell(k, j));
+        let along_slip_rate = pair(&rate_coordinate, j, &|k| self.cell(i, k));
+        let pairs = along_interference.into_iter().chain(along_slip_rate);
+        let (_, t, ends) = pairs.min_by(|one, other| one.0.total_cmp(&other.0))?;
         Some(blended(ends, t, self.metadata().temperature))
     }
 }
