@@ -1,7 +1,5 @@
 //! Input as Python gives it: a path, TOML, or a dictionary as JSON; numbers as a list or as text.
 
-use std::path::PathBuf;
-
 use pyo3::prelude::*;
 use roughsurface::surface::file::Values;
 
@@ -10,26 +8,15 @@ use crate::errors;
 /// A scene, a request or a surface.
 #[derive(FromPyObject)]
 pub struct Given {
-    /// "path", "text" or "dict".
-    kind: String,
-    /// The path or the text.
-    content: String,
-}
-
-/// What was given.
-pub enum Source {
-    Path(PathBuf),
-    /// TOML, and the name that messages have for it.
-    Text(String, &'static str),
+    /// "path"; of TOML "text" or "dict", which is its name in messages.
+    pub kind: String,
+    /// The path or the TOML.
+    pub content: String,
 }
 
 impl Given {
-    pub fn source(self) -> Source {
-        match self.kind.as_str() {
-            "path" => Source::Path(self.content.into()),
-            "text" => Source::Text(self.content, "text"),
-            _ => Source::Text(self.content, "dict"),
-        }
+    pub fn is_path(&self) -> bool {
+        self.kind == "path"
     }
 }
 

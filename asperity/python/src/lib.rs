@@ -45,6 +45,7 @@ fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<surface::Characterization>()?;
     module.add_class::<surface::Friction>()?;
     module.add_class::<surface::Samples>()?;
+    module.add_class::<output::Figure>()?;
     module.add_function(wrap_pyfunction!(output::check_output, module)?)?;
     module.add_function(wrap_pyfunction!(output::write_bytes, module)?)?;
     module.add_class::<export::FrictionTable>()?;

@@ -1,4 +1,4 @@
-//! Files that the package writes.
+//! Files and figures that the package writes.
 
 use std::path::{Path, PathBuf};
 
@@ -27,6 +27,28 @@ pub fn distinct(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> PyResult
 fn refused(checked: Result<(), OutputError>, outputs: &[(&str, &Path)]) -> PyResult<()> {
     let file = outputs.first().map(|(_, path)| path.display().to_string());
     checked.map_err(|error| errors::input(&error, file.as_deref(), None, &error))
+}
+
+/// A figure of a result.
+#[pyclass(frozen, module = "asperity._core")]
+pub struct Figure(tables::figures::Figure);
+
+impl Figure {
+    /// With some of the panels, or with all.
+    pub fn new(figure: tables::figures::Figure, panels: &[String]) -> PyResult<Self> {
+        figure.only(panels).map(Self).map_err(|error| errors::refused("panels", error))
+    }
+}
+
+#[pymethods]
+impl Figure {
+    fn svg(&self) -> String {
+        self.0.svg()
+    }
+
+    fn save(&self, path: PathBuf) -> PyResult<()> {
+        self.0.save(&path).map_err(|error| errors::refused("path", error))
+    }
 }
 
 /// Writes a file that appears whole or not at all.

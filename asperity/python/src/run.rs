@@ -1,6 +1,6 @@
 //! `asperity.simulate` and its result.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use asperity::Scene;
 use asperity::loading::recording::Recording;
@@ -12,7 +12,8 @@ use asperity::simulate::{SimulationError, derived, simulate_recorded};
 use pyo3::prelude::*;
 
 use crate::errors;
-use crate::input::{Given, Source};
+use crate::input::Given;
+use crate::output::Figure;
 use crate::watch::followed;
 
 /// Name, value, error, unit and meaning of a scalar.
@@ -37,9 +38,9 @@ pub fn simulate(
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Run> {
-    let scene = match scene.source() {
-        Source::Path(path) => read_scene(&path, &overrides),
-        Source::Text(text, name) => parse_scene(&text, name, &overrides),
+    let scene = match scene.is_path() {
+        true => read_scene(scene.content.as_ref(), &overrides),
+        false => parse_scene(&scene.content, &scene.kind, &overrides),
     };
     let scene = scene.map_err(errors::of_scene)?;
     let end = scene.loading.slip_distance;
@@ -108,12 +109,8 @@ impl Run {
             .map_err(|error| errors::failed(error, None))
     }
 
-    fn svg(&self, panels: Vec<String>) -> PyResult<String> {
-        svg(figures::run_figure(&self.scene, &self.outcome), &panels)
-    }
-
-    fn draw(&self, path: PathBuf, panels: Vec<String>) -> PyResult<()> {
-        draw(figures::run_figure(&self.scene, &self.outcome), &path, &panels)
+    fn figure(&self, panels: Vec<String>) -> PyResult<Figure> {
+        Figure::new(figures::run_figure(&self.scene, &self.outcome), &panels)
     }
 
     /// Fields of the body for ParaView; the collection that was written.
@@ -125,16 +122,4 @@ impl Run {
         std::fs::create_dir_all(&directory)?;
         vtu::write(&directory, &self.outcome, extent).map_err(|error| errors::failed(error, None))
     }
-}
-
-/// A figure, or some of its panels, as SVG.
-pub fn svg(figure: tables::figures::Figure, panels: &[String]) -> PyResult<String> {
-    let figure = figure.only(panels).map_err(|error| errors::refused("panels", error))?;
-    Ok(figure.svg())
-}
-
-/// The same as a file.
-pub fn draw(figure: tables::figures::Figure, path: &Path, panels: &[String]) -> PyResult<()> {
-    let figure = figure.only(panels).map_err(|error| errors::refused("panels", error))?;
-    figure.save(path).map_err(|error| errors::refused("path", error))
 }

@@ -21,8 +21,8 @@ use tables::netcdf::history;
 use tables::netcdf::input::Override;
 
 use crate::errors;
-use crate::input::{Given, Numbers, Source};
-use crate::run::{draw, svg};
+use crate::input::{Given, Numbers};
+use crate::output::Figure;
 use crate::watch::followed;
 
 /// Summits of a measured topography.
@@ -140,12 +140,8 @@ impl Characterization {
         characterization::heights_file(&self.found)
     }
 
-    fn svg(&self, panels: Vec<String>) -> PyResult<String> {
-        svg(characterization::figure(&self.found), &panels)
-    }
-
-    fn draw(&self, path: PathBuf, panels: Vec<String>) -> PyResult<()> {
-        draw(characterization::figure(&self.found), &path, &panels)
+    fn figure(&self, panels: Vec<String>) -> PyResult<Figure> {
+        Figure::new(characterization::figure(&self.found), &panels)
     }
 }
 
@@ -196,10 +192,12 @@ impl Question<'_> {
                 let Characterization { found, place, name } = measured.get();
                 surface_of(found, (Path::new(place), name), &overrides)
             }
-            (None, Some(given)) => match given.source() {
-                Source::Path(path) => SurfaceFile::read_with(&path, &overrides),
-                Source::Text(text, name) => SurfaceFile::parse_with(Path::new(name), text, &overrides),
-            },
+            (None, Some(given)) if given.is_path() => {
+                SurfaceFile::read_with(given.content.as_ref(), &overrides)
+            }
+            (None, Some(Given { kind, content })) => {
+                SurfaceFile::parse_with(kind.as_ref(), content, &overrides)
+            }
             (None, None) => return Err(errors::refused("surface", "is missing")),
         };
         let measured = self.measured.as_ref().map(|measured| measured.get().found.clone());
@@ -208,20 +206,30 @@ impl Question<'_> {
     }
 }
 
+/// What a result was made from.
+struct Sources {
+    surface: String,
+    table: String,
+    /// Files of heights and tables that the surface file names.
+    inputs: Vec<PathBuf>,
+}
+
+impl Sources {
+    fn of(Case { file, table, .. }: Case) -> Self {
+        let tables = file.uncertain_tables.into_iter().map(|(_, table)| table);
+        Self { inputs: tables.chain(file.heights_file).collect(), surface: file.text, table }
+    }
+
+    fn origin<'a>(&'a self, history: &'a str) -> Origin<'a> {
+        Origin { surface: &self.surface, table: &self.table, history }
+    }
+}
+
 /// Friction of a surface.
 #[pyclass(frozen, module = "asperity._core")]
 pub struct Friction {
     results: Results,
-    surface: String,
-    table: String,
-    /// Files that the surface file names.
-    inputs: Vec<PathBuf>,
-}
-
-/// Files of heights and tables that the surface file names.
-fn named_by(file: &SurfaceFile) -> Vec<PathBuf> {
-    let tables = file.uncertain_tables.iter().map(|(_, table)| table);
-    tables.chain(&file.heights_file).cloned().collect()
+    sources: Sources,
 }
 
 /// As `roughsurface predict`.
@@ -239,19 +247,13 @@ pub fn predict(
         case.predict(&compare, &settings, &|done, total| follower.counted("slips", done, total))
     })?;
     let results = results.map_err(errors::of_case)?;
-    Ok(Friction { results, inputs: named_by(&case.file), surface: case.file.text, table: case.table })
-}
-
-impl Friction {
-    fn origin<'a>(&'a self, history: &'a str) -> Origin<'a> {
-        Origin { surface: &self.surface, table: &self.table, history }
-    }
+    Ok(Friction { results, sources: Sources::of(case) })
 }
 
 #[pymethods]
 impl Friction {
     fn inputs(&self) -> Vec<PathBuf> {
-        self.inputs.clone()
+        self.sources.inputs.clone()
     }
 
     fn json(&self) -> String {
@@ -268,20 +270,16 @@ impl Friction {
 
     fn write(&self, py: Python<'_>, path: PathBuf, command: &str) -> PyResult<()> {
         let history = history(command);
-        py.detach(|| friction_file::write(&path, &self.results, &self.origin(&history)))
+        py.detach(|| friction_file::write(&path, &self.results, &self.sources.origin(&history)))
             .map_err(|error| errors::failed(error, None))
     }
 
     fn report(&self, command: &str) -> String {
-        report::html(&self.results, &self.origin(&history(command)))
+        report::html(&self.results, &self.sources.origin(&history(command)))
     }
 
-    fn svg(&self, panels: Vec<String>) -> PyResult<String> {
-        svg(figure(&self.results), &panels)
-    }
-
-    fn draw(&self, path: PathBuf, panels: Vec<String>) -> PyResult<()> {
-        draw(figure(&self.results), &path, &panels)
+    fn figure(&self, panels: Vec<String>) -> PyResult<Figure> {
+        Figure::new(figure(&self.results), &panels)
     }
 }
 
@@ -289,10 +287,7 @@ impl Friction {
 #[pyclass(frozen, module = "asperity._core")]
 pub struct Samples {
     samples: finite_surface::Samples,
-    surface: String,
-    table: String,
-    /// Files that the surface file names.
-    inputs: Vec<PathBuf>,
+    sources: Sources,
 }
 
 /// As `roughsurface sample`.
@@ -314,13 +309,13 @@ pub fn sample(
         case.sample(&sampling, &settings, &show)
     })?;
     let samples = samples.map_err(errors::of_prediction)?;
-    Ok(Samples { samples, inputs: named_by(&case.file), surface: case.file.text, table: case.table })
+    Ok(Samples { samples, sources: Sources::of(case) })
 }
 
 #[pymethods]
 impl Samples {
     fn inputs(&self) -> Vec<PathBuf> {
-        self.inputs.clone()
+        self.sources.inputs.clone()
     }
 
     fn json(&self) -> String {
@@ -337,8 +332,7 @@ impl Samples {
 
     fn write(&self, py: Python<'_>, path: PathBuf, command: &str) -> PyResult<()> {
         let history = history(command);
-        let origin = Origin { surface: &self.surface, table: &self.table, history: &history };
-        py.detach(|| sample_file::write(&path, &self.samples, &origin))
+        py.detach(|| sample_file::write(&path, &self.samples, &self.sources.origin(&history)))
             .map_err(|error| errors::failed(error, None))
     }
 }

@@ -11,7 +11,7 @@ use tables::quantity::{Estimate, Quantity};
 use tables::shipped;
 
 use crate::errors;
-use crate::run::{draw, svg};
+use crate::output::Figure;
 
 /// A table with all its initial temperatures.
 #[pyclass(frozen, module = "asperity._core")]
@@ -197,11 +197,7 @@ impl Table {
         py.detach(|| self.table.write(&path)).map_err(|error| errors::failed(error, None))
     }
 
-    fn svg(&self, panels: Vec<String>, temperature: Option<f64>) -> PyResult<String> {
-        svg(self.at(temperature)?.figure(), &panels)
-    }
-
-    fn draw(&self, path: PathBuf, panels: Vec<String>, temperature: Option<f64>) -> PyResult<()> {
-        draw(self.at(temperature)?.figure(), &path, &panels)
+    fn figure(&self, panels: Vec<String>, temperature: Option<f64>) -> PyResult<Figure> {
+        Figure::new(self.at(temperature)?.figure(), &panels)
     }
 }

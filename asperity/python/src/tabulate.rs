@@ -8,7 +8,7 @@ use asperity::tabulate::{Journal, Options, TabulateError, completed};
 use pyo3::prelude::*;
 
 use crate::errors;
-use crate::input::{Given, Source};
+use crate::input::Given;
 use crate::output::distinct;
 use crate::table::Table;
 use crate::watch::{Follower, followed};
@@ -25,16 +25,12 @@ pub fn tabulate(
     resume: bool,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Table> {
-    let source = request.source();
     let journal = Journal::beside(&output);
-    let inputs: Vec<(&str, &Path)> = match &source {
-        Source::Path(path) => vec![("the request", path.as_path())],
-        Source::Text(..) => Vec::new(),
-    };
-    distinct(&inputs, &[("the output", &output), ("the journal", &journal)])?;
-    let request = match source {
-        Source::Path(path) => read_request(&path, &overrides),
-        Source::Text(text, name) => parse_request(&text, name, &overrides),
+    let path = request.is_path().then_some(("the request", Path::new(&request.content)));
+    distinct(path.as_slice(), &[("the output", &output), ("the journal", &journal)])?;
+    let request = match path {
+        Some((_, path)) => read_request(path, &overrides),
+        None => parse_request(&request.content, &request.kind, &overrides),
     };
     let request = request.map_err(errors::of_scene)?;
     if resume

@@ -43,7 +43,7 @@ def dataset(write: Callable[[Path], Any]) -> "xarray.Dataset":
 
 
 class Figure:
-    """A figure of the project as SVG. Notebooks show it; ``save`` writes it."""
+    """A figure of the project as SVG, which notebooks show."""
 
     def __init__(self, svg: str):
         self.svg = svg
@@ -53,6 +53,13 @@ class Figure:
 
     def __repr__(self) -> str:
         return f"<asperity.Figure, {len(self.svg)} characters of SVG>"
+
+
+def drawn(figure: Any, path: Path | None) -> Figure:
+    """A figure of the compiled module, also written to ``path`` if there is one."""
+    if path is not None:
+        figure.save(path)
+    return Figure(figure.svg())
 
 
 class Drawn:
@@ -68,10 +75,8 @@ class Drawn:
             path: file to draw it to as well, ``.svg``, ``.png`` or ``.pdf``.
             panels: names of panels; all by default.
         """
-        chosen = names(panels)
-        if path is not None:
-            self._core.draw(output(path, self._inputs), chosen)
-        return Figure(self._core.svg(chosen))
+        place = None if path is None else output(path, self._inputs)
+        return drawn(self._core.figure(names(panels)), place)
 
     def _repr_svg_(self) -> str:
-        return self._core.svg([])
+        return self._core.figure([]).svg()

@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _core
 from ._input import names, output
-from ._results import Drawn, Estimate, Figure, dataset
+from ._results import Drawn, Estimate, Figure, dataset, drawn
 
 if TYPE_CHECKING:
     import xarray
@@ -140,13 +140,11 @@ class Table(Drawn):
         temperature: float | None = None,
     ) -> Figure:
         """The figure that the program draws, at one initial temperature (K)."""
-        chosen = names(panels)
-        if path is not None:
-            self._core.draw(output(path), chosen, temperature)
-        return Figure(self._core.svg(chosen, temperature))
+        place = None if path is None else output(path)
+        return drawn(self._core.figure(names(panels), temperature), place)
 
     def _repr_svg_(self) -> str:
-        return self._core.svg([], float(self.axes["temperature"][0]))
+        return self._core.figure([], float(self.axes["temperature"][0])).svg()
 
     def __repr__(self) -> str:
         spans = ", ".join(f"{key} {low:g} to {high:g}" for key, (low, high) in self.range.items())
