@@ -1,7 +1,5 @@
 //! `asperity materials`: the presets and their sources.
 
-use std::fmt::Write;
-
 use asperity::scene::TemperatureTable;
 use asperity::scene::presets::{self, ConstantValue, Preset};
 use serde_json::{Map, Value, json};
@@ -33,9 +31,8 @@ fn unknown(name: &str) -> Failure {
 
 fn constants(preset: &Preset) -> String {
     let mut text = format!("{}: {}\n", preset.name, preset.title);
-    // Writing to a String cannot fail.
     for (group, law) in &preset.laws {
-        let _ = writeln!(text, "{group}: {law}");
+        text += &format!("{group}: {law}\n");
     }
     for constant in &preset.constants {
         let value = match &constant.value {
@@ -43,26 +40,23 @@ fn constants(preset: &Preset) -> String {
             ConstantValue::List(_) => "list".into(),
             ConstantValue::Table(_) => "table".into(),
         };
-        let _ = writeln!(text, "{:24}{value:>10} {:9} {}", constant.key, constant.unit, constant.source);
-        points(&mut text, &constant.value);
+        text += &format!("{:24}{value:>10} {:9} {}\n", constant.key, constant.unit, constant.source);
+        text += &points(&constant.value);
     }
-    let _ = writeln!(text, "checked: {}", preset.checked);
-    text
+    text + &format!("checked: {}\n", preset.checked)
 }
 
 /// The points of a list or table, a few to a line.
-fn points(text: &mut String, value: &ConstantValue) {
+fn points(value: &ConstantValue) -> String {
     let (points, per_line): (Vec<String>, usize) = match value {
-        ConstantValue::Number(_) => return,
+        ConstantValue::Number(_) => return String::new(),
         ConstantValue::List(numbers) => (numbers.iter().map(|&number| numbers::plain(number)).collect(), 12),
         ConstantValue::Table(TemperatureTable { temperature, value }) => {
             let point = |(t, v): (&f64, &f64)| format!("{} K: {}", numbers::plain(*t), numbers::plain(*v));
             (temperature.iter().zip(value).map(point).collect(), 5)
         }
     };
-    for line in points.chunks(per_line) {
-        let _ = writeln!(text, "    {}", line.join(", "));
-    }
+    points.chunks(per_line).map(|line| format!("    {}\n", line.join(", "))).collect()
 }
 
 fn as_json(preset: &Preset) -> Value {

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -151,10 +150,7 @@ fn report(
 
 fn summary(scene: &Scene, outcome: &Outcome, incomplete: Option<&str>) -> String {
     let mut text = String::new();
-    let mut line = |name: &str, value: String| {
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "{name:17} {value}");
-    };
+    let mut line = |name: &str, value: String| text += &format!("{name:17} {value}\n");
     if let Some(reason) = incomplete {
         let values = match outcome.account.warnings.contains(&Warning::StoppedBeforeFurtherRun) {
             true => "the slide is complete, a further run of it is missing",
@@ -206,14 +202,13 @@ fn account(outcome: &Outcome) -> String {
         if account.heat { "simulated" } else { "left out" },
         if account.finite_strain { "finite" } else { "small" },
     );
-    let _ = writeln!(
-        text,
-        "errors in %:{:12}{:>8}{:>8}{:>8}{:>8}{:>8}",
+    text += &format!(
+        "errors in %:{:12}{:>8}{:>8}{:>8}{:>8}{:>8}\n",
         "", "mesh", "sectors", "steps", "solver", "model"
     );
     for quantity in Quantity::SCALARS {
         let value = outcome.scalars[quantity].value.abs();
-        let _ = write!(text, "  {:20}", quantity.descriptor().name);
+        text += &format!("  {:20}", quantity.descriptor().name);
         for source in ErrorSource::ALL {
             let part = 100.0 * outcome.budget.part(source, quantity) / value;
             let part = match part {
@@ -222,12 +217,12 @@ fn account(outcome: &Outcome) -> String {
                 part if part.is_nan() => "-".into(),
                 part => format!("{part:.3}"),
             };
-            let _ = write!(text, "{part:>8}");
+            text += &format!("{part:>8}");
         }
-        let _ = writeln!(text);
+        text.push('\n');
     }
     for note in &account.notes {
-        let _ = writeln!(text, "note: {note}");
+        text += &format!("note: {note}\n");
     }
     text
 }

@@ -1,6 +1,5 @@
 //! `asperity tabulate`: a grid of runs, one table.
 
-use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
@@ -225,8 +224,7 @@ fn summary(tabulation: &Tabulation) -> String {
     for row in &rows {
         let cells = row.iter().zip(&widths);
         let line: String = cells.map(|(cell, width)| format!("{cell:width$}  ")).collect();
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "{}", line.trim_end());
+        text += &format!("{}\n", line.trim_end());
     }
     text
 }

@@ -2,7 +2,6 @@
 //! collection of them over slip in units of a₀.
 
 use std::ffi::OsStr;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use tables::netcdf::write_atomically;
@@ -66,8 +65,7 @@ pub fn write(directory: &Path, outcome: &Outcome, extent: Extent) -> Result<Path
         let path = directory.join(&name);
         write_grid(&path, &body, &body.fields(snapshot)).map_err(|reason| failed(&path, reason))?;
         let moment = if rises { snapshot.slip / radius } else { snapshot.time };
-        // Writing to a String cannot fail.
-        let _ = writeln!(collection, "    <DataSet timestep=\"{moment}\" part=\"0\" file=\"{name}\"/>");
+        collection += &format!("    <DataSet timestep=\"{moment}\" part=\"0\" file=\"{name}\"/>\n");
     }
     collection.push_str("  </Collection>\n</VTKFile>\n");
     let path = directory.join(COLLECTION);

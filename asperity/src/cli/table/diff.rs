@@ -1,7 +1,5 @@
 //! `asperity table diff`.
 
-use std::fmt::Write;
-
 use serde_json::{Value, json};
 use tables::numbers::plain;
 use tables::table::comparison::{Comparison, OfKey};
@@ -40,28 +38,23 @@ fn text(comparison: &Comparison) -> String {
     let Comparison { metadata, common, only_here, only_there, states, quantities } = comparison;
     let mut text =
         format!("{common} cells in common, {only_here} in the first only, {only_there} in the second only\n");
-    // Writing to a String cannot fail.
     for OfKey { key, here, there } in metadata.iter().chain(states) {
-        let _ = writeln!(text, "{key}: {here} and {there}");
+        text += &format!("{key}: {here} and {there}\n");
     }
     if *common == 0 {
-        text.push_str("no quantity is compared, as no cell is in common\n");
-        return text;
+        return text + "no quantity is compared, as no cell is in common\n";
     }
     if quantities.is_empty() {
-        text.push_str("no differences in the values that both have\n");
-        return text;
+        return text + "no differences in the values that both have\n";
     }
-    let _ = writeln!(
-        text,
-        "\n{:17} {:6} {:>11} {:>12} {:>12}   {:24} {:>14}",
+    text += &format!(
+        "\n{:17} {:6} {:>11} {:>12} {:>12}   {:24} {:>14}\n",
         "quantity", "unit", "largest", "first", "second", "at", "beyond errors"
     );
     for difference in quantities {
         let descriptor = difference.quantity.descriptor();
-        let _ = writeln!(
-            text,
-            "{:17} {:6} {:>9.3} % {:>12} {:>12}   {:24} {:>14}",
+        text += &format!(
+            "{:17} {:6} {:>9.3} % {:>12} {:>12}   {:24} {:>14}\n",
             descriptor.name,
             descriptor.units,
             100.0 * difference.largest,

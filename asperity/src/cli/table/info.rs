@@ -1,7 +1,5 @@
 //! `asperity table info`.
 
-use std::fmt::Write;
-
 use serde_json::{Value, json};
 use tables::interpolation::InterpolatedTable;
 use tables::numbers::plain;
@@ -69,10 +67,7 @@ fn text(table: &Table, table_name: &str, verbose: bool) -> String {
     let (slices, axes, metadata) = (table.slices(), table.axes(), table.metadata());
     let sum = |of: fn(&Counts) -> usize| slices.iter().map(|slice| of(&slice.counts())).sum::<usize>();
     let mut text = String::new();
-    // Writing to a String cannot fail.
-    let mut line = |name: &str, value: String| {
-        let _ = writeln!(text, "{name:13} {value}");
-    };
+    let mut line = |name: &str, value: String| text += &format!("{name:13} {value}\n");
     line("table", table_name.to_owned());
     line("title", metadata.title.clone());
     if slices.len() > 1 {
@@ -112,18 +107,17 @@ fn text(table: &Table, table_name: &str, verbose: bool) -> String {
     for slice in slices {
         if slices.len() > 1 {
             let Metadata { temperature, yield_strength, critical_interference, .. } = slice.metadata();
-            let _ = write!(
-                text,
+            text += &format!(
                 "\nfrom {} K: yield strength {} Pa, omega_c {} m",
                 plain(*temperature),
                 plain(*yield_strength),
                 plain(*critical_interference)
             );
         }
-        let _ = write!(text, "\n{}", errors(slice));
+        text += &format!("\n{}", errors(slice));
     }
     if verbose {
-        let _ = write!(text, "\nrequest:\n{}", metadata.scene);
+        text += &format!("\nrequest:\n{}", metadata.scene);
     }
     text
 }
@@ -159,9 +153,8 @@ fn errors(table: &Slice) -> String {
         let [middle, most] = between.unwrap_or([f64::NAN; 2]);
         let descriptor = quantity.descriptor();
         let at = table.label(largest_at.0, largest_at.1);
-        let _ = writeln!(
-            text,
-            "{:17} {:6} {:>12} {:>12}   {:>9} {:>9}   {at:24} {:>9} {:>9}   {}",
+        text += &format!(
+            "{:17} {:6} {:>12} {:>12}   {:>9} {:>9}   {at:24} {:>9} {:>9}   {}\n",
             descriptor.name,
             descriptor.units,
             plain(range.0),
@@ -173,8 +166,7 @@ fn errors(table: &Slice) -> String {
             percent(interpolation),
         );
     }
-    text += "Errors of temperatures are relative to their rise.\n";
-    text
+    text + "Errors of temperatures are relative to their rise.\n"
 }
 
 fn percent(share: f64) -> String {

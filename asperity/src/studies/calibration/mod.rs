@@ -7,8 +7,6 @@ mod expected_effects;
 mod hertz_limit;
 mod order;
 
-use std::fmt::Write;
-
 use crate::interface::contact::Contact;
 use crate::loading::press::press_on;
 use crate::loading::problem::Problem;
@@ -62,15 +60,14 @@ pub fn fits(watch: &dyn Watch) -> Result<Vec<Fit>, SimulationError> {
 /// The fits as Markdown.
 pub fn markdown(fits: &[Fit]) -> String {
     let mut text = String::new();
-    // Writing to a String cannot fail.
     for Fit { name, method, constants, residuals } in fits {
-        let _ = writeln!(text, "## {name}\n\n{method}\n\n| constant | stored | fitted |\n|---|---|---|");
+        text += &format!("## {name}\n\n{method}\n\n| constant | stored | fitted |\n|---|---|---|\n");
         for FittedConstant { name, stored, fitted } in constants {
-            let _ = writeln!(text, "| {name} | {stored:.4} | {fitted:.4} |");
+            text += &format!("| {name} | {stored:.4} | {fitted:.4} |\n");
         }
         text.push_str("\n| residual (rms) | points | stored | fitted |\n|---|---|---|---|\n");
         for Residual { of, points, stored, fitted } in residuals {
-            let _ = writeln!(text, "| {of} | {points} | {stored:.4} | {fitted:.4} |");
+            text += &format!("| {of} | {points} | {stored:.4} | {fitted:.4} |\n");
         }
         text.push('\n');
     }

@@ -1,7 +1,5 @@
 //! The sweep as text: a table, and the recommended mesh.
 
-use std::fmt::Write;
-
 use super::{Convergence, Run, SHOWN};
 use crate::scene::ELEMENTS_PER_RADIUS;
 use tables::quantity::Quantity;
@@ -9,24 +7,23 @@ use tables::quantity::Quantity;
 /// A row per run: cost, and for each quantity the error and in brackets its estimate, in per cent.
 pub fn table(convergence: &Convergence) -> String {
     let mut text = format!("{:>5}{:>8}{:>9}{:>9}", "n_c", "steps", "wall s", "CPU s");
-    // Writing to a String cannot fail.
     for quantity in SHOWN {
-        let _ = write!(text, "{:>16}", quantity.descriptor().name);
+        text += &format!("{:>16}", quantity.descriptor().name);
     }
     text.push('\n');
     for run in &convergence.runs {
         let Run { elements_per_radius, steps, wall_time, cpu_time, .. } = run;
-        let _ = write!(text, "{elements_per_radius:>5}{steps:>8}{wall_time:>9.1}{cpu_time:>9.1}");
+        text += &format!("{elements_per_radius:>5}{steps:>8}{wall_time:>9.1}{cpu_time:>9.1}");
         for quantity in SHOWN {
             let (error, estimate) = convergence.errors(run, quantity);
-            let _ = write!(text, "{:>16}", format!("{:.2} ({:.2})", 100.0 * error, 100.0 * estimate));
+            text += &format!("{:>16}", format!("{:.2} ({:.2})", 100.0 * error, 100.0 * estimate));
         }
         text.push_str(if run.chosen { "  as chosen\n" } else { "\n" });
     }
-    let _ = write!(text, "{:>31}", "order");
+    text += &format!("{:>31}", "order");
     for quantity in SHOWN {
         let order = convergence.limit(quantity).order;
-        let _ = write!(text, "{:>16}", order.map_or("-".to_owned(), |order| format!("{order:.1}")));
+        text += &format!("{:>16}", order.map_or("-".to_owned(), |order| format!("{order:.1}")));
     }
     text.push_str("\nErrors in % of the limit, of the rise for temperatures; in brackets as estimated.\n");
     text
@@ -70,12 +67,10 @@ pub fn in_words(convergence: &Convergence) -> String {
     };
     text += &advice;
     let finest = sweep.last().expect("a sweep has runs");
-    let _ = writeln!(
-        text,
-        "Finest: {} elements have {:.2} % for {:.1} times the processor time of the choice.",
+    text + &format!(
+        "Finest: {} elements have {:.2} % for {:.1} times the processor time of the choice.\n",
         finest.elements_per_radius,
         of(finest),
         finest.cpu_time / chosen.cpu_time
-    );
-    text
+    )
 }

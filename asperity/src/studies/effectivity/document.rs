@@ -1,7 +1,5 @@
 //! The study as a document in Markdown.
 
-use std::fmt::Write;
-
 use tables::quantity::Quantity;
 
 use super::report::{NEGLIGIBLE, QuantityReport, Report};
@@ -43,28 +41,26 @@ pub fn markdown(report: &Report) -> String {
         if part.scenes.is_empty() {
             continue;
         }
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "## {title}\n\n{what}\n");
-        summary(&part, judged, &mut text);
-        scene_table(&part, judged, &mut text);
+        text += &format!("## {title}\n\n{what}\n\n");
+        text += &summary(&part, judged);
+        text += &scene_table(&part, judged);
     }
     if !report.missing.is_empty() {
         text.push_str("Not judged:\n\n");
     }
     for (scene, reason) in &report.missing {
-        let _ = writeln!(text, "- {}: {reason}", scenes::study_scene(*scene).name());
+        text += &format!("- {}: {reason}\n", scenes::study_scene(*scene).name());
     }
     text
 }
 
-fn summary(report: &Report, judged: &[Quantity], text: &mut String) {
-    let _ = writeln!(
-        text,
+fn summary(report: &Report, judged: &[Quantity]) -> String {
+    let mut text = format!(
         "**{} scenes: the reported errors cover {:.1} % of the true errors.**\n\n\
          True errors in % of the value: mean, mean size, median size, size that nine of ten do not exceed; median of the\n\
          reported errors in %; share covered; median, 95th percentile and largest of true over reported error:\n\n\
          | quantity | mean | mean size | median | nine of ten | reported | covered | median ratio | 95 % | largest |\n\
-         |---|---|---|---|---|---|---|---|---|---|",
+         |---|---|---|---|---|---|---|---|---|---|\n",
         report.scenes.len(),
         100.0 * report.covered(),
     );
@@ -74,37 +70,35 @@ fn summary(report: &Report, judged: &[Quantity], text: &mut String) {
         let name = quantity.descriptor().name;
         let [bias, size, middle, most, stated, covered] =
             [bias, size, sizes[0], sizes[1], stated, covered].map(|share| 100.0 * share);
-        let _ = writeln!(
-            text,
+        text += &format!(
             "| {name} | {bias:+.2} | {size:.2} | {middle:.2} | {most:.2} | {stated:.2} | {covered:.0} % | \
-             {median:.2} | {high:.2} | {largest:.2} |"
+             {median:.2} | {high:.2} | {largest:.2} |\n"
         );
     }
+    text
 }
 
-fn scene_table(report: &Report, judged: &[Quantity], text: &mut String) {
-    text.push_str(
+fn scene_table(report: &Report, judged: &[Quantity]) -> String {
+    let mut text = String::from(
         "\nTrue error in % (in brackets as reported; of the rise, for temperatures); ! marks one that is not covered:\n\n\
          | scene |",
     );
     for &quantity in judged {
-        let _ = write!(text, " {} |", quantity.descriptor().name);
+        text += &format!(" {} |", quantity.descriptor().name);
     }
-    text.push_str("\n|---|");
-    text.push_str(&"---|".repeat(judged.len()));
-    text.push('\n');
+    text += &format!("\n|---|{}\n", "---|".repeat(judged.len()));
     for scene in &report.scenes {
-        let _ = write!(text, "| {} |", scenes::study_scene(scene.scene).name());
+        text += &format!("| {} |", scenes::study_scene(scene.scene).name());
         for &quantity in judged {
             let Some(judged) = scene.judged.iter().find(|judged| judged.quantity == quantity) else {
-                text.push_str(" – |");
+                text += " – |";
                 continue;
             };
             let [error, stated] = [judged.error(), judged.stated].map(|x| 100.0 * x / judged.scale);
             let mark = if judged.is_covered() { "" } else { " !" };
-            let _ = write!(text, " {error:+.2} ({stated:.2}){mark} |");
+            text += &format!(" {error:+.2} ({stated:.2}){mark} |");
         }
         text.push('\n');
     }
-    text.push('\n');
+    text + "\n"
 }
