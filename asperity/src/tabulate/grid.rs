@@ -52,14 +52,15 @@ pub struct Work<'a> {
     pub wanted: &'a [bool],
     /// Expected times, s.
     pub expected: &'a [f64],
-    pub jobs: usize,
 }
 
 impl Work<'_> {
-    /// Places of the cells that are wanted and not known yet.
-    pub fn pending(&self, known: &Known) -> impl Iterator<Item = usize> {
-        let is_known = |k: usize| known.contains_key(&self.layout.point(self.layout.index(k)).key());
-        (0..self.wanted.len()).filter(move |&k| self.wanted[k] && !is_known(k))
+    /// Cells that are wanted and not known yet.
+    pub fn pending(&self, known: &Known) -> impl Iterator<Item = Index> {
+        let is_pending = |&at: &Index| {
+            self.wanted[self.layout.position(at)] && !known.contains_key(&self.layout.point(at).key())
+        };
+        self.layout.cells().filter(is_pending)
     }
 }
 
@@ -72,15 +73,15 @@ pub fn run<S: Simulator>(
     watch: &dyn TableWatch,
 ) -> Result<(), JournalError> {
     let layout = work.layout;
-    let mut forecast = Forecast::new(work.expected, work.jobs);
+    let mut forecast = Forecast::new(work.expected, pools.len());
     let mut done = 0;
-    for (k, wanted) in work.wanted.iter().enumerate() {
-        let result = known.get(&layout.point(layout.index(k)).key());
+    for (at, &wanted) in layout.cells().zip(work.wanted) {
+        let result = known.get(&layout.point(at).key());
         if result.is_some() || !wanted {
             let wall_time = result.and_then(|result| Some(result.as_ref().ok()?.cell.wall_time));
-            forecast.took(k, wall_time.unwrap_or(f64::NAN));
+            forecast.took(layout.position(at), wall_time.unwrap_or(f64::NAN));
         }
-        done += usize::from(*wanted && result.is_some());
+        done += usize::from(wanted && result.is_some());
     }
     journal.reserve(work.pending(known).count())?;
     let grid = &Grid {
@@ -132,12 +133,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
 
     /// Slip rates at which the cells of an interference are wanted and not done.
     fn pending(&self, i: usize) -> Vec<usize> {
-        let ledger = self.lock();
-        let is_pending = |j: &usize| {
-            self.work.wanted[self.work.layout.position((i, *j))]
-                && !ledger.known.contains_key(&self.work.layout.point((i, *j)).key())
-        };
-        (0..self.work.layout.axes.slip_rate.len()).filter(is_pending).collect()
+        self.work.pending(self.lock().known).filter(|at| at.0 == i).map(|at| at.1).collect()
     }
 
     fn press(&self, i: usize) -> Result<S::Pressed, Option<String>> {

@@ -41,10 +41,10 @@ impl<'a> Layout<'a> {
         i * self.axes.slip_rate.len() + j
     }
 
-    /// The cell at a place.
-    pub fn index(&self, position: usize) -> Index {
+    /// The cells, row-major.
+    pub fn cells(&self) -> impl Iterator<Item = Index> {
         let columns = self.axes.slip_rate.len();
-        (position / columns, position % columns)
+        (0..self.rows()).flat_map(move |i| (0..columns).map(move |j| (i, j)))
     }
 
     /// The rows, that of the largest interference first.
@@ -64,7 +64,6 @@ impl<'a> Layout<'a> {
 
     /// Of the cells, row-major, s.
     pub fn expected_times(&self) -> Vec<f64> {
-        let cells = 0..self.rows() * self.axes.slip_rate.len();
-        cells.map(|position| expected_time(&self.scene(self.index(position)))).collect()
+        self.cells().map(|at| expected_time(&self.scene(at))).collect()
     }
 }

@@ -265,8 +265,8 @@ pub(crate) fn tabulate_with<S: Simulator>(
         let layout = Layout { templates: &templates, axes: &axes };
         let expected = layout.expected_times();
         let wanted = options.shard.map_or(vec![true; expected.len()], |shard| shard.members(&expected));
-        let work = Work { layout, wanted: &wanted, expected: &expected, jobs: options.jobs };
-        watch.expects(work.pending(&known).map(|position| expected[position]).sum());
+        let work = Work { layout, wanted: &wanted, expected: &expected };
+        watch.expects(work.pending(&known).map(|at| expected[layout.position(at)]).sum());
         let jobs = options.jobs;
         let pools = pools(jobs, work.pending(&known).count())
             .map_err(|error| TabulateError::Threads { jobs, reason: error.to_string() })?;
