@@ -43,56 +43,24 @@ pub fn panels(scene: &Scene) -> Vec<&'static str> {
 /// A label and the quantity that it is for.
 type Labelled = (&'static str, Quantity);
 
-/// Histories in one panel.
-struct Shown {
-    name: &'static str,
-    title: &'static str,
-    label: &'static str,
-    unit: &'static str,
-    /// Over the logarithm of the slip: what changes at the onset of sliding, in a small part of the slide.
-    at_onset: bool,
-    histories: &'static [Labelled],
-}
+/// Histories in one panel: its name, title, label and unit, and the histories.
+type Shown = (&'static str, &'static str, &'static str, &'static str, &'static [Labelled]);
 
-const FRICTION: Shown = Shown {
-    name: "friction",
-    title: "Friction",
-    label: "Friction coefficient μ = Q/P",
-    unit: "",
-    at_onset: true,
-    histories: &[("", Quantity::Mu)],
-};
-const FORCES: Shown = Shown {
-    name: "forces",
-    title: "Forces",
-    label: "Force",
-    unit: "N",
-    at_onset: true,
-    histories: &[("friction Q", Quantity::Friction), ("load P", Quantity::Load)],
-};
-const AREA: Shown = Shown {
-    name: "area",
-    title: "Contact area",
-    label: "Contact area A",
-    unit: "m²",
-    at_onset: true,
-    histories: &[("", Quantity::Area)],
-};
-const PLASTIC_STRAIN: Shown = Shown {
-    name: "plastic-strain",
-    title: "Plastic strain",
-    label: "Largest plastic strain",
-    unit: "",
-    at_onset: true,
-    histories: &[("", Quantity::PlasticStrainMax)],
-};
-const ENERGIES: Shown = Shown {
-    name: "energies",
-    title: "Energies since the start of the slide",
-    label: "Energy",
-    unit: "J",
-    at_onset: false,
-    histories: &[
+/// What changes at the onset of sliding, in a small part of the slide: over the logarithm of the slip.
+#[rustfmt::skip]
+const AT_ONSET: [Shown; 4] = [
+    ("friction", "Friction", "Friction coefficient μ = Q/P", "", &[("", Quantity::Mu)]),
+    ("forces", "Forces", "Force", "N", &[("friction Q", Quantity::Friction), ("load P", Quantity::Load)]),
+    ("area", "Contact area", "Contact area A", "m²", &[("", Quantity::Area)]),
+    ("plastic-strain", "Plastic strain", "Largest plastic strain", "", &[("", Quantity::PlasticStrainMax)]),
+];
+
+const ENERGIES: Shown = (
+    "energies",
+    "Energies since the start of the slide",
+    "Energy",
+    "J",
+    &[
         ("work of the flat", Quantity::Work),
         ("elastic", Quantity::EnergyElastic),
         ("plastic", Quantity::DissipationPlastic),
@@ -100,33 +68,24 @@ const ENERGIES: Shown = Shown {
         ("thermal expansion", Quantity::WorkThermalExpansion),
         ("softening of moduli", Quantity::EnergyModuliSoftening),
     ],
-};
-const TEMPERATURE: Shown = Shown {
-    name: "temperature",
-    title: "Contact temperature",
-    label: "Temperature T",
-    unit: "K",
-    at_onset: false,
-    histories: &[("highest", Quantity::TemperatureMax), ("mean", Quantity::TemperatureMean)],
-};
-const HEAT: Shown = Shown {
-    name: "heat",
-    title: "Heat since the start of the slide",
-    label: "Heat",
-    unit: "J",
-    at_onset: false,
-    histories: &[("in", Quantity::HeatIn), ("stored", Quantity::HeatStored), ("out", Quantity::HeatOut)],
-};
+);
+
+#[rustfmt::skip]
+const WITH_HEAT: [Shown; 2] = [
+    ("temperature", "Contact temperature", "Temperature T", "K",
+        &[("highest", Quantity::TemperatureMax), ("mean", Quantity::TemperatureMean)]),
+    ("heat", "Heat since the start of the slide", "Heat", "J",
+        &[("in", Quantity::HeatIn), ("stored", Quantity::HeatStored), ("out", Quantity::HeatOut)]),
+];
 
 /// Friction, forces, area, temperature, energies and heat of a run against slip; below, a row of maps
 /// for each snapshot of the contact.
 pub fn run_figure(scene: &Scene, outcome: &Outcome) -> Figure {
-    let panel = |shown: &Shown| panel(outcome, shown);
-    let mut panels = [&FRICTION, &FORCES, &AREA].map(panel).to_vec();
-    panels.push(onset(outcome));
-    panels.extend([&PLASTIC_STRAIN, &ENERGIES].map(panel));
+    let [friction, forces, area, plastic_strain] = AT_ONSET.map(|shown| panel(outcome, shown, true));
+    let mut panels = vec![friction, forces, area, onset(outcome), plastic_strain];
+    panels.push(panel(outcome, ENERGIES, false));
     if outcome.account.heat {
-        panels.extend([&TEMPERATURE, &HEAT].map(panel));
+        panels.extend(WITH_HEAT.map(|shown| panel(outcome, shown, false)));
     }
     panels.extend(contact_maps(outcome));
     let loading = &scene.loading;
@@ -159,19 +118,19 @@ fn slip_axis(outcome: &Outcome, at_onset: bool) -> Axis {
     }
 }
 
-fn panel(outcome: &Outcome, shown: &Shown) -> Panel {
+fn panel(outcome: &Outcome, (name, title, label, unit, histories): Shown, at_onset: bool) -> Panel {
     let slips = slips(outcome);
     let values = |quantity: Quantity| outcome.slide.column(quantity).iter();
-    let largest = (shown.histories.iter())
+    let largest = (histories.iter())
         .flat_map(|(_, quantity)| values(*quantity))
         .filter(|value| value.is_finite())
         .fold(0.0, |largest: f64, value| largest.max(value.abs()));
-    let (scale, label) = scaled(largest, shown.label, shown.unit);
+    let (scale, label) = scaled(largest, label, unit);
     let curve = |(name, quantity): &Labelled| {
         Curve::new(*name, slips.clone(), values(*quantity).map(|value| value / scale).collect())
     };
-    let curves = shown.histories.iter().map(curve).collect();
-    Panel::new(shown.name, shown.title, slip_axis(outcome, shown.at_onset), Axis::linear(label), curves)
+    let curves = histories.iter().map(curve).collect();
+    Panel::new(name, title, slip_axis(outcome, at_onset), Axis::linear(label), curves)
 }
 
 /// From stick to slip.
