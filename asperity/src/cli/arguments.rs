@@ -184,12 +184,8 @@ pub(super) struct TabulateArguments {
     /// Print the time of all runs by part of the computation on stderr, or in the JSON
     #[arg(long)]
     pub(super) timings: bool,
-    /// Plot the table; at several initial temperatures one file for each, FILE-500K.svg
-    #[arg(long, value_name = "FILE.svg|png|pdf")]
-    pub(super) plot: Option<PathBuf>,
-    /// Only this panel of the plot, 85 mm wide; may be repeated
-    #[arg(long, value_name = "NAME", requires = "plot", value_parser = PossibleValuesParser::new(TABLE_PANELS))]
-    pub(super) panel: Vec<String>,
+    #[command(flatten)]
+    pub(super) figure: TablePlot,
 }
 
 #[derive(Args)]
@@ -281,6 +277,12 @@ pub(super) struct MergeArguments {
     /// Merge even if cells are missing; they stay "not run"
     #[arg(long)]
     pub(super) partial: bool,
+    #[command(flatten)]
+    pub(super) figure: TablePlot,
+}
+
+#[derive(Args)]
+pub(super) struct TablePlot {
     /// Plot the table; at several initial temperatures one file for each, FILE-500K.svg
     #[arg(long, value_name = "FILE.svg|png|pdf")]
     pub(super) plot: Option<PathBuf>,

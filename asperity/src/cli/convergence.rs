@@ -6,7 +6,7 @@ use asperity::simulate::SimulationError;
 use asperity::studies::convergence::{self, Convergence, DIVISOR, SHOWN};
 use serde_json::json;
 
-use super::progress::{Progress, watch_for_interrupt};
+use super::progress::watched;
 use super::{ConvergenceArguments, Display, Failure, command_line, outputs, program};
 
 /// Runs the sequence of meshes, writes the file and prints the least expensive mesh that meets the accuracy.
@@ -19,10 +19,7 @@ pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Resul
         return Err(Failure::input(format!("--finest: {finest} is not a multiple of {DIVISOR}")));
     }
     display.printer().warn(scene.remarks());
-    watch_for_interrupt();
-    let progress = Progress::new(display);
-    let result = Convergence::sweep(&scene, finest, &progress);
-    progress.clear();
+    let result = watched(display, |progress| Convergence::sweep(&scene, finest, progress));
     let sweep = result.map_err(|error| match error {
         SimulationError::Unsupported(_) => Failure::input(error),
         error => Failure::run(error),

@@ -1,12 +1,11 @@
 //! `asperity effectivity`: true errors against their estimates.
 
-use asperity::simulate::Watch;
 use asperity::studies::effectivity::{Record, Report, markdown, run, scenes};
 
 use tables::netcdf::streams::say;
 use tables::netcdf::write_atomically;
 
-use super::progress::{Progress, watch_for_interrupt};
+use super::progress::{interrupted, watched};
 use super::{Display, EffectivityArguments, Failure, outputs, print};
 
 /// Run the scenes that the journal lacks, evaluate all of it.
@@ -20,8 +19,6 @@ pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Resul
     if let Some(beyond) = which.iter().find(|&&scene| scene >= all) {
         return Err(Failure::input(format!("--scenes: {} is not one of 1 to {all}", beyond + 1)));
     }
-    watch_for_interrupt();
-    let progress = Progress::new(display);
     let done = |record: &Record| {
         if display.verbose {
             let name = scenes::study_scene(record.scene).name();
@@ -30,7 +27,9 @@ pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Resul
         }
     };
     let which = if arguments.judge_only { &[] } else { which.as_slice() };
-    let records = run(&arguments.journal, which, &Silent(&progress), &done)
+    // Several runs are in progress at a time.
+    let silent = Display { quiet: true, ..*display };
+    let records = watched(&silent, |progress| run(&arguments.journal, which, progress, &done))
         .map_err(|error| Failure::run(format!("{}: {error}", arguments.journal.display())))?;
     let report = Report::new(&records);
     let text = markdown(&report);
@@ -39,18 +38,9 @@ pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Resul
     if !display.quiet {
         print(&text)?;
     }
-    if progress.cancelled() {
+    if interrupted() {
         let journal = arguments.journal.display();
         return Err(Failure::Run(format!("stopped on request; the same command continues from {journal}")));
     }
     Ok(())
-}
-
-/// Hides the progress of single runs: several are in progress at a time.
-struct Silent<'a>(&'a Progress);
-
-impl Watch for Silent<'_> {
-    fn cancelled(&self) -> bool {
-        self.0.cancelled()
-    }
 }

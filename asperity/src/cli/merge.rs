@@ -1,6 +1,6 @@
 //! `asperity merge`: the shards of a table in one.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use asperity::output::provenance;
 use serde_json::json;
@@ -13,9 +13,9 @@ use super::{Display, Failure, MergeArguments, command_line, outputs, program};
 /// Read the shards, check that they belong together, write the table.
 pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failure> {
     let shards: Vec<_> = arguments.shards.iter().map(|shard| ("a shard", shard.as_path())).collect();
-    outputs::check_with_table(&shards, &outputs::with_plots(&arguments.output, &arguments.plot))?;
+    outputs::check_with_table(&shards, &outputs::with_plots(&arguments.output, &arguments.figure.plot))?;
     let table = merged(&arguments.shards)?;
-    let plots = outputs::plots(&arguments.plot, &table.temperatures());
+    let plots = outputs::plots(&arguments.figure.plot, &table.temperatures());
     outputs::check_with_table(&shards, &outputs::with_plots(&arguments.output, &plots))?;
     let missing = table.missing();
     let cells: usize = table.slices().iter().map(|slice| slice.shape().0 * slice.shape().1).sum();
@@ -36,7 +36,7 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
         display.printer().warn([nothing]);
     }
     program::save(&arguments.output, |path| table.write(path))?;
-    outputs::plot(&table, &arguments.plot, &arguments.panel)?;
+    outputs::plot(&table, &arguments.figure)?;
     let failed = table.failures();
     if !display.quiet {
         for (label, reason) in &failed {
@@ -75,10 +75,10 @@ fn check_replaced(table: &Table, output: &Path, display: &Display) -> Result<(),
 }
 
 /// All shards in one table, which is not a shard if no cell is missing or it is of several.
-fn merged(shards: &[impl AsRef<Path>]) -> Result<Table, Failure> {
+fn merged(shards: &[PathBuf]) -> Result<Table, Failure> {
     let mut whole: Option<(Table, &Path)> = None;
     let (mut histories, mut names) = (Vec::new(), Vec::new());
-    for path in shards.iter().map(AsRef::as_ref) {
+    for path in shards {
         let shard = match path.to_str() {
             Some(name) => shipped::load(name).map_err(Failure::input)?,
             None => Table::read(path).map_err(Failure::input)?,

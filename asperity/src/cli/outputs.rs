@@ -7,6 +7,8 @@ use tables::netcdf::program::{Failure, save};
 use tables::netcdf::{check_irreplaceable, check_of_others, check_results, probe};
 use tables::table::Table;
 
+use super::arguments::TablePlot;
+
 /// Whether every output of a command can be written, and replaces neither an input, nor another output, nor a table, nor data of
 /// another program. Each file is given with its role; that of a figure is its option, `--plot`.
 pub fn check(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), Failure> {
@@ -50,11 +52,11 @@ pub fn plots(plot: &Option<PathBuf>, temperatures: &[f64]) -> Vec<PathBuf> {
 }
 
 /// Draws the figures of a table, if asked for.
-pub fn plot(table: &Table, plot: &Option<PathBuf>, panels: &[String]) -> Result<(), Failure> {
+pub fn plot(table: &Table, TablePlot { plot, panel }: &TablePlot) -> Result<(), Failure> {
     let temperatures = table.temperatures();
     for (temperature, place) in temperatures.iter().zip(plots(plot, &temperatures)) {
         let slice = table.at(*temperature).map_err(Failure::run)?;
-        draw(|| slice.figure(), panels, &Some(place))?;
+        draw(|| slice.figure(), panel, &Some(place))?;
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use std::io::IsTerminal;
 use std::sync::atomic::AtomicBool;
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Arc, Mutex, Once, OnceLock};
 use std::time::{Duration, Instant};
 
 use asperity::simulate::Watch;
@@ -25,7 +25,7 @@ const SAME_REQUEST: Duration = Duration::from_millis(500);
 /// From now on the first interrupt, or the signal that ends a terminal or a batch job, requests a stop, so that results
 /// can be saved; the second ends the program at once. Signals that are ignored, as under `nohup`, stay ignored. A file that
 /// becomes larger than the system allows is an error.
-pub fn watch_for_interrupt() {
+fn watch_for_interrupt() {
     // Without a handler the signal ends the program.
     let _ = signal_hook::flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)));
     let ignored = ignored_signals();
@@ -46,12 +46,27 @@ pub fn watch_for_interrupt() {
     });
 }
 
+/// Whether a stop was requested.
+pub fn interrupted() -> bool {
+    INTERRUPTED.get().is_some()
+}
+
 /// The signals that the program was started to ignore, a bit each from signal 1 on; none where the system has no
 /// `/proc`.
 fn ignored_signals() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
     mask.and_then(|digits| u64::from_str_radix(digits.trim(), 16).ok()).unwrap_or(0)
+}
+
+/// The result of `work`, which shows its progress and can be asked to stop.
+pub fn watched<R>(display: &Display, work: impl FnOnce(&Progress) -> R) -> R {
+    static HEARD: Once = Once::new();
+    HEARD.call_once(watch_for_interrupt);
+    let progress = Progress::new(display);
+    let result = work(&progress);
+    progress.clear();
+    result
 }
 
 /// Shows the progress of a run or a tabulation.
@@ -77,7 +92,7 @@ const FIRST_ESTIMATE: f64 = 0.05;
 
 impl Progress {
     /// According to the options; by default on a terminal only.
-    pub fn new(display: &Display) -> Self {
+    fn new(display: &Display) -> Self {
         Self { shown: Shown::new(display), stage: Mutex::new(("", Instant::now())), quiet: display.quiet }
     }
 
@@ -91,16 +106,8 @@ impl Progress {
         (FIRST_ESTIMATE..1.0).contains(&done).then(|| elapsed * (1.0 - done) / done)
     }
 
-    /// Print something while the bar is shown.
-    pub fn aside<R>(&self, print: impl FnOnce() -> R) -> R {
-        match &self.shown {
-            Shown::Bar(bar) => bar.suspend(print),
-            _ => print(),
-        }
-    }
-
     /// Removes the bar before results are printed.
-    pub fn clear(&self) {
+    fn clear(&self) {
         if let Shown::Bar(bar) = &self.shown {
             bar.finish_and_clear();
         }
@@ -178,7 +185,7 @@ impl Watch for Progress {
     }
 
     fn cancelled(&self) -> bool {
-        INTERRUPTED.get().is_some()
+        interrupted()
     }
 }
 

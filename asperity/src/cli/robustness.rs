@@ -6,7 +6,7 @@ use asperity::studies::robustness::{CaseResult, RobustnessCase, Verdict};
 use serde_json::{Value, json};
 use tables::quantity::Quantity;
 
-use super::progress::{Progress, watch_for_interrupt};
+use super::progress::watched;
 use super::{Display, Failure, VerifyArguments, command_line, outputs, print};
 
 /// Failures allowed, as a share of the cases that have a solution.
@@ -20,17 +20,13 @@ pub fn robustness(arguments: &VerifyArguments, display: &Display) -> Result<(), 
     if let Some(directory) = &arguments.save {
         outputs::check_directory(directory)?;
     }
-    watch_for_interrupt();
     let text = !display.json && !display.quiet;
     if text {
         print(&header())?;
     }
     let mut results = Vec::new();
     for case in cases {
-        let progress = Progress::new(display);
-        let result = case.run(&progress);
-        progress.clear();
-        let Some(result) = result else {
+        let Some(result) = watched(display, |progress| case.run(progress)) else {
             return Err(Failure::Run("stopped on request".into()));
         };
         save(arguments, &case, &result)?;

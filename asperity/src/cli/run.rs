@@ -21,7 +21,7 @@ use tables::netcdf::{DatasetReader, check_distinct, destination};
 use tables::numbers;
 use tables::quantity::Quantity;
 
-use super::progress::{self, Progress, watch_for_interrupt};
+use super::progress::{tell_expected_time, watched};
 use super::{Display, Failure, RunArguments, command_line, outputs, program, timings};
 
 /// Run the scene, write the results, also those before a failure, and print a summary.
@@ -43,13 +43,10 @@ fn run_scene(scene: &Scene, arguments: &RunArguments, display: &Display) -> Resu
     outputs::check_panels(&arguments.panel, &figures::panels(scene))?;
     display.printer().warn(scene.remarks());
     if !display.quiet {
-        progress::tell_expected_time(expected_time(scene));
+        tell_expected_time(expected_time(scene));
     }
-    watch_for_interrupt();
-    let progress = Progress::new(display);
     let recording = Recording { slips: arguments.fields_at.clone(), body: arguments.vtu.is_some() };
-    let result = simulate_recorded(scene, &recording, &progress);
-    progress.clear();
+    let result = watched(display, |progress| simulate_recorded(scene, &recording, progress));
     let (mut outcome, failure) = match result {
         Ok(outcome) => (outcome, None),
         Err(error) => {

@@ -16,7 +16,7 @@ use tables::numbers;
 use tables::quantity::Quantity;
 use tables::table::{LABEL_DIGITS, Slice, Status, Table};
 
-use super::progress::{Progress, watch_for_interrupt};
+use super::progress::watched;
 use super::{Display, Failure, TabulateArguments, command_line, outputs, timings};
 
 /// Run the missing cells of the request, write the table, print a summary.
@@ -37,7 +37,7 @@ fn tabulate_request(
         Some(_) => TABLE_PANELS.to_vec(),
         None => table_panels(request.interferences.len(), &request.slip_rates),
     };
-    outputs::check_panels(&arguments.panel, &panels)?;
+    outputs::check_panels(&arguments.figure.panel, &panels)?;
     display.printer().warn(request.remarks());
     if display.verbose {
         say(format!("note: {}", Note::of_scene(&request.template)));
@@ -55,10 +55,7 @@ fn tabulate_request(
         resume: arguments.resume,
         shard: arguments.shard,
     };
-    watch_for_interrupt();
-    let progress = Progress::new(display);
-    let result = tabulate::tabulate(request, &options, &progress);
-    progress.clear();
+    let result = watched(display, |progress| tabulate::tabulate(request, &options, progress));
     let (tabulation, journal) = result.map_err(|error| match error {
         TabulateError::Journal(ref journal) if journal.is_of_the_system() => Failure::run(error),
         error => Failure::input(error),
@@ -80,7 +77,7 @@ fn tabulate_request(
     let mut spent = tabulation.timings();
     spent.since(Kernel::Output, clock);
     let removed = journal.remove().map_err(Failure::run);
-    let drawn = outputs::plot(&table, &arguments.plot, &arguments.panel);
+    let drawn = outputs::plot(&table, &arguments.figure);
     Failure::all([removed, drawn, report(&tabulation, &table, &spent, arguments, display)])?;
     match tabulation.failures().count() {
         0 => Ok(()),
@@ -115,7 +112,7 @@ fn failure(failed: usize, of: usize, output: &Path) -> String {
 }
 
 fn check_outputs(arguments: &TabulateArguments, temperatures: &[f64], journal: &Path) -> Result<(), Failure> {
-    let plots = outputs::plots(&arguments.plot, temperatures);
+    let plots = outputs::plots(&arguments.figure.plot, temperatures);
     let mut written = outputs::with_plots(&arguments.output, &plots);
     written.push((JOURNAL_ROLE, journal));
     outputs::check_with_table(&[("the request", &arguments.request)], &written)
@@ -131,7 +128,7 @@ fn report_complete(table: &Table, arguments: &TabulateArguments, display: &Displ
     let json = || as_json(table, &output);
     let text = || format!("{output}: the table of this request is complete, nothing was computed\n");
     let printed = display.printer().print(json, text);
-    outputs::plot(table, &arguments.plot, &arguments.panel)?;
+    outputs::plot(table, &arguments.figure)?;
     printed?;
     match failed {
         0 => Ok(()),

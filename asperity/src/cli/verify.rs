@@ -5,7 +5,7 @@ use asperity::studies::verification::{Cost, GROUPS, Row, Tally};
 use serde_json::json;
 use tables::numbers::{digits, plain};
 
-use super::progress::{Progress, watch_for_interrupt};
+use super::progress::watched;
 use super::{Display, Failure, VerifyArguments, print};
 
 /// Run the cases and print a row for each.
@@ -15,11 +15,9 @@ pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Fail
     }
     let groups = arguments.chosen(GROUPS.into(), |group| group.name)?;
     let most = if arguments.quick { Cost::Quick } else { Cost::Long };
-    watch_for_interrupt();
-    let progress = Progress::new(display);
     let (mut done, mut failed, mut all) = (Vec::new(), Vec::new(), Vec::new());
     for group in groups {
-        let rows = match group.rows(most, &progress) {
+        let rows = match watched(display, |progress| group.rows(most, progress)) {
             Ok(rows) => rows,
             Err(SimulationError::Cancelled { .. }) => return Err(Failure::run("stopped on request")),
             // The other groups are run nevertheless.
@@ -30,12 +28,11 @@ pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Fail
         };
         failed.extend(rows.iter().filter(|row| !row.passes()).map(|row| row.quantity.clone()));
         if !display.json && !display.quiet {
-            progress.aside(|| print(&table(group.name, &rows)))?;
+            print(&table(group.name, &rows))?;
         }
         done.push(json!({ "group": group.name, "rows": rows.iter().map(as_json).collect::<Vec<_>>() }));
         all.extend(rows);
     }
-    progress.clear();
     let passed = failed.is_empty();
     let tally = Tally::of(&all);
     display.printer().print(

@@ -13,7 +13,7 @@ use tables::table::comparison::{Comparison, Difference, OfKey};
 use tables::table::{Axes, Cell, Slice};
 
 use super::{CheckArguments, read};
-use crate::progress::{Progress, watch_for_interrupt};
+use crate::progress::watched;
 use crate::{Display, Failure, print};
 
 /// Compute some cells again, or cells between the points; print how they compare, fail where a difference is beyond the
@@ -37,7 +37,6 @@ pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failur
     }
     let mut random = StdRng::seed_from_u64(arguments.seed);
     let chosen = index::sample(&mut random, places.len(), usize::from(arguments.cells).min(places.len()));
-    watch_for_interrupt();
     let (mut wrong, mut compared) = (Vec::new(), Vec::new());
     for place in chosen.into_iter().map(|k| places[k]) {
         let expected = expected(&table, place, arguments.between)?;
@@ -153,9 +152,7 @@ fn computed_again(only: &Slice, request: &Request, display: &Display) -> Result<
     let folder = tempfile::tempdir().map_err(Failure::run)?;
     let journal = folder.path().join("check.part");
     let options = Options { jobs: crate::processors(), journal: &journal, resume: false, shard: None };
-    let progress = Progress::new(display);
-    let result = tabulate(&request, &options, &progress);
-    progress.clear();
+    let result = watched(display, |progress| tabulate(&request, &options, progress));
     let (tabulation, _) = result.map_err(Failure::run)?;
     let again = tabulation.table(String::new()).map_err(Failure::run)?;
     if !tabulation.finished() {
