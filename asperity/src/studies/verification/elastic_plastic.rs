@@ -8,7 +8,7 @@ use tables::closed_forms::{hertz, jackson_green, kogut_etsion};
 use tables::law::Estimate;
 
 use super::setup::{Hertz, mesh, over, plain_material, scene};
-use super::{Case, Cost, Reference, Row, Rows, Tolerance};
+use super::{Case, Cost, Reference, Row, Rows, Tolerance, joined};
 use crate::scene::FrictionLaw;
 use crate::simulate::{Watch, press};
 
@@ -39,7 +39,7 @@ pub const CASES: [Case; 3] = [
     Case::new("press to 10 omega_c", Cost::Quick, |watch| rows(0.002, &[10.0], watch)),
     Case::new("press from 1 to 100 omega_c", Cost::Medium, |watch| rows(0.002, &INTERFERENCES, watch)),
     Case::new("press of a softer and a stronger sphere", Cost::Long, |watch| {
-        Ok([rows(0.001, &INTERFERENCES, watch)?, rows(0.005, &INTERFERENCES, watch)?].concat())
+        joined([0.001, 0.005].map(|strain| rows(strain, &INTERFERENCES, watch)))
     }),
 ];
 

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use tables::quantity::{Quantity, State};
 
 use super::setup::{Hertz, interpolated, last, mesh, plain_material, scene, shear_strength};
-use super::{Case, Cost, Reference, Row, Rows, Tolerance};
+use super::{Case, Cost, Reference, Row, Rows, Tolerance, joined};
 use crate::scene::{Counterface, FrictionLaw, Scene, Softening, Switch};
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, simulate};
@@ -36,7 +36,7 @@ const RISES: [(f64, f64, f64, f64); 5] = [
 pub const CASES: [Case; 3] = [
     Case::new("disc source, 8 elements", Cost::Quick, |watch| disc(8, 0.022, watch)),
     Case::new("contact cooled through the gap", Cost::Medium, |watch| {
-        Ok([cooled(1.0, watch)?, cooled(10.0, watch)?].concat())
+        joined([1.0, 10.0].map(|biot| cooled(biot, watch)))
     }),
     Case::new("disc source, 16 elements", Cost::Long, |watch| disc(16, 0.008, watch)),
 ];

@@ -11,7 +11,7 @@ use tables::functions::try_bisect;
 use tables::law::Estimate;
 
 use super::setup::{Hertz, mesh, plain_material, run_press, scene};
-use super::{Case, Cost, Reference, Row, Rows, Tolerance};
+use super::{Case, Cost, Reference, Row, Rows, Tolerance, joined};
 use crate::discretisation::body::mises;
 use crate::scene::{FrictionLaw, Scene};
 use crate::simulate::{PressedContact, SimulationError, Watch, press};
@@ -27,8 +27,7 @@ pub const CASES: [Case; 4] = [
     Case::new("first yield, 8 elements", Cost::Quick, |watch| first_yield(8, 0.3, watch)),
     Case::new("elastic press, 16 elements", Cost::Medium, fine),
     Case::new("first yield, 16 elements", Cost::Long, |watch| {
-        let rows = [0.2, 0.3, 0.4].map(|poisson| first_yield(16, poisson, watch));
-        Ok(rows.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
+        joined([0.2, 0.3, 0.4].map(|poisson| first_yield(16, poisson, watch)))
     }),
 ];
 

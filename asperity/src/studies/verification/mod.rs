@@ -44,22 +44,23 @@ pub enum Cost {
 
 type Rows = Result<Vec<Row>, SimulationError>;
 
+/// The rows of several runs.
+fn joined(parts: impl IntoIterator<Item = Rows>) -> Rows {
+    Ok(parts.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
+}
+
 /// Simulations and the rows read from them.
 #[derive(Clone, Copy)]
 pub struct Case {
     pub name: &'static str,
     pub cost: Cost,
+    /// Its rows; the error is of a run that did not converge or was cancelled.
     run: fn(&dyn Watch) -> Rows,
 }
 
 impl Case {
     const fn new(name: &'static str, cost: Cost, run: fn(&dyn Watch) -> Rows) -> Self {
         Self { name, cost, run }
-    }
-
-    /// Its rows; the error is of a run that did not converge or was cancelled.
-    pub fn rows(&self, watch: &dyn Watch) -> Rows {
-        (self.run)(watch)
     }
 }
 
@@ -99,11 +100,7 @@ impl Group {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn rows(&self, most: Cost, watch: &dyn Watch) -> Rows {
-        let mut rows = Vec::new();
-        for case in self.cases.iter().filter(|case| case.cost <= most) {
-            rows.extend(case.rows(watch)?);
-        }
-        Ok(rows)
+        joined(self.cases.iter().filter(|case| case.cost <= most).map(|case| (case.run)(watch)))
     }
 }
 

@@ -10,7 +10,7 @@ use tables::law::Estimate;
 use tables::quantity::Quantity;
 
 use super::setup::slide_at_small_strain;
-use super::{Case, Cost, Reference, Row, Rows, Tolerance};
+use super::{Case, Cost, Reference, Row, Rows, Tolerance, joined};
 use crate::simulate::{Watch, simulate};
 
 const SOURCE: &str = "this program, limit of fine meshes, angles and increments";
@@ -51,8 +51,7 @@ const LIMITS: [Limits; 3] = [
 pub const CASES: [Case; 2] = [
     Case::new("4340 steel, 8 elements", Cost::Quick, |watch| rows(&LIMITS[0], &ON_8, watch)),
     Case::new("three metals, 16 elements", Cost::Long, |watch| {
-        let rows = LIMITS.iter().map(|limits| rows(limits, &ON_16, watch)).collect::<Result<Vec<_>, _>>()?;
-        Ok(rows.concat())
+        joined(LIMITS.iter().map(|limits| rows(limits, &ON_16, watch)))
     }),
 ];
 
