@@ -15,9 +15,9 @@ use std::path::Path;
 
 use tables::closed_forms::{hertz, kogut_etsion};
 use tables::figures::{Axis, Curve, Figure, Panel};
-use tables::quantity::Quantity;
+use tables::quantity::{Estimate, Quantity};
 use tables::shipped;
-use tables::table::Slice;
+use tables::table::{Cell, Slice};
 
 /// Slip rates that are drawn: the isothermal limit, one in the middle, and the fastest.
 const RATES: [f64; 3] = [0.0, 0.7, 10.0];
@@ -57,22 +57,23 @@ fn figure(steel: &Slice, elastic: impl Fn(f64) -> f64, plastic: f64) -> anyhow::
         Curve::new("elastic limit", dense.clone(), dense.iter().map(|omega| elastic(*omega)).collect()),
         Curve::new("plastic limit", dense.clone(), vec![plastic; dense.len()]),
     ];
-    let at_rates = |of: &dyn Fn(&Slice, usize, usize) -> (f64, f64)| -> Vec<Curve> {
+    let at_rates = |of: &dyn Fn(&Cell) -> Estimate| -> Vec<Curve> {
         RATES.iter().map(|&rate| curve(steel, rate, &format!("{rate} m/s"), of)).collect()
     };
     let metals = shipped::metals()
         .map(|name| Ok((name, shipped::table(name)?)))
         .collect::<Result<Vec<_>, tables::shipped::TableSourceError>>()?;
-    let of_metals = |of: &dyn Fn(&Slice, usize, usize) -> (f64, f64)| -> Vec<Curve> {
+    let of_metals = |of: &dyn Fn(&Cell) -> Estimate| -> Vec<Curve> {
         metals.iter().map(|(name, table)| curve(table, 0.0, name, of)).collect()
     };
 
     let panel = |title: &str, y: Axis, curves: Vec<Curve>| {
         Panel::new("", title, Axis::logarithmic("Interference ω_{0}/ω_{c}"), y, curves)
     };
-    let load = &|table: &Slice, i, j| ratio(table, i, j, Quantity::Load, Quantity::LoadPress);
-    let area = &|table: &Slice, i, j| ratio(table, i, j, Quantity::Area, Quantity::AreaPress);
-    let fixed = &|table: &Slice, i, j| value(table, i, j, Quantity::MuStatic);
+    // With the sum of both relative errors: an upper bound, as they are correlated.
+    let load = &|cell: &Cell| cell[Quantity::Load].over(cell[Quantity::LoadPress]);
+    let area = &|cell: &Cell| cell[Quantity::Area].over(cell[Quantity::AreaPress]);
+    let fixed = &|cell: &Cell| cell[Quantity::MuStatic];
     let panels = vec![
         panel(
             "4340: static friction",
@@ -82,7 +83,7 @@ fn figure(steel: &Slice, elastic: impl Fn(f64) -> f64, plastic: f64) -> anyhow::
         panel(
             "4340: sliding friction",
             Axis::logarithmic("μ at the end of the slide"),
-            at_rates(&|table, i, j| value(table, i, j, Quantity::Mu)),
+            at_rates(&|cell| cell[Quantity::Mu]),
         ),
         panel("4340: load after the slide", Axis::linear("P/P_{press}"), at_rates(load)),
         panel("4340: contact area after the slide", Axis::linear("A/A_{press}"), at_rates(area)),
@@ -93,21 +94,10 @@ fn figure(steel: &Slice, elastic: impl Fn(f64) -> f64, plastic: f64) -> anyhow::
 }
 
 /// A quantity over the interferences of a table, with its errors.
-fn curve(table: &Slice, rate: f64, label: &str, of: &dyn Fn(&Slice, usize, usize) -> (f64, f64)) -> Curve {
+fn curve(table: &Slice, rate: f64, label: &str, of: &dyn Fn(&Cell) -> Estimate) -> Curve {
     let axes = table.axes();
     let column = axes.slip_rate.iter().position(|known| *known == rate).expect("a slip rate of the table");
-    let points = (0..axes.interference.len()).map(|row| of(table, row, column));
-    let (values, errors): (Vec<f64>, Vec<f64>) = points.unzip();
-    Curve::new(label, axes.interference.clone(), values).with_error(errors)
-}
-
-fn value(table: &Slice, i: usize, j: usize, quantity: Quantity) -> (f64, f64) {
-    table.cell(i, j).map_or((f64::NAN, f64::NAN), |cell| (cell[quantity].value, cell[quantity].error))
-}
-
-/// With the sum of both relative errors: an upper bound, as they are correlated.
-fn ratio(table: &Slice, i: usize, j: usize, above: Quantity, below: Quantity) -> (f64, f64) {
-    let (a, b) = (value(table, i, j, above), value(table, i, j, below));
-    let ratio = a.0 / b.0;
-    (ratio, ratio * (a.1 / a.0 + b.1 / b.0))
+    let rows = 0..axes.interference.len();
+    let points = rows.map(|row| table.cell(row, column).map_or(Estimate::UNKNOWN, of));
+    Curve::with_errors(label, axes.interference.clone(), points)
 }

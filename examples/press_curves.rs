@@ -13,6 +13,7 @@ use asperity::scene::file::parse_scene;
 use asperity::simulate::{Unwatched, press};
 use tables::closed_forms::{hertz, jackson_green, kogut_etsion};
 use tables::figures::{Axis, Curve, Drawn, Figure, Panel};
+use tables::quantity::Estimate;
 
 /// E, Pa, and ν.
 const ELASTIC: (f64, f64) = (200e9, 0.3);
@@ -27,12 +28,11 @@ struct Case {
     strain: f64,
 }
 
-/// P/P_c and A/A_c at an interference, each with its estimated error.
-#[derive(Clone, Copy)]
+/// P/P_c and A/A_c at an interference.
 struct Pressed {
     omega: f64,
-    load: (f64, f64),
-    area: (f64, f64),
+    load: Estimate,
+    area: Estimate,
 }
 
 fn main() -> anyhow::Result<()> {
@@ -58,12 +58,12 @@ fn main() -> anyhow::Result<()> {
             let off = |value: f64, reference: f64| 100.0 * (value / reference - 1.0);
             println!(
                 "  {omega:>13}  {:>8.2}  {:>6.1} %  {:>6.1} %  {:>8.2}  {:>6.1} %  {:>6.1} %",
-                load.0,
-                off(load.0, jackson_green::load(*omega, case.strain, ELASTIC.1)),
-                off(load.0, kogut_etsion::load(*omega, ELASTIC.1)),
-                area.0,
-                off(area.0, jackson_green::area(*omega, case.strain)),
-                off(area.0, kogut_etsion::area(*omega)),
+                load.value,
+                off(load.value, jackson_green::load(*omega, case.strain, ELASTIC.1)),
+                off(load.value, kogut_etsion::load(*omega, ELASTIC.1)),
+                area.value,
+                off(area.value, jackson_green::area(*omega, case.strain)),
+                off(area.value, kogut_etsion::area(*omega)),
             );
         }
         curves.push((case, pressed));
@@ -90,17 +90,14 @@ fn of(case: Case, omega: f64, elements: usize) -> anyhow::Result<Pressed> {
         case.law, case.kinematics
     );
     let contact = press(&parse_scene(&text, "this example", &[])?, &Unwatched)?.contact();
-    let critical_load = hertz::critical_load(modulus, poisson, strength, radius);
-    let critical_area = hertz::critical_area(modulus, poisson, strength, radius);
-    Ok(Pressed {
-        omega,
-        load: (contact.load.value / critical_load, contact.load.error / critical_load),
-        area: (contact.area.value / critical_area, contact.area.error / critical_area),
-    })
+    let critical_load = Estimate::exact(hertz::critical_load(modulus, poisson, strength, radius));
+    let critical_area = Estimate::exact(hertz::critical_area(modulus, poisson, strength, radius));
+    let (load, area) = (contact.load.over(critical_load), contact.area.over(critical_area));
+    Ok(Pressed { omega, load, area })
 }
 
-/// Of a press: P/P_c or A/A_c with its error.
-type Part = fn(&Pressed) -> (f64, f64);
+/// Of a press: P/P_c or A/A_c.
+type Part = fn(&Pressed) -> Estimate;
 /// A fit over ω* at a yield strain.
 type Fit = fn(f64, f64) -> f64;
 
@@ -141,10 +138,9 @@ fn panel(title: String, y: &str, curves: Vec<Curve>) -> Panel {
     Panel::new("", title, Axis::logarithmic("Interference ω_{0}/ω_{c}"), Axis::linear(y), curves)
 }
 
-fn points(label: String, pressed: &[Pressed], value: impl Fn(&Pressed) -> (f64, f64)) -> Curve {
-    let (values, errors): (Vec<f64>, Vec<f64>) = pressed.iter().map(value).unzip();
+fn points(label: String, pressed: &[Pressed], value: impl Fn(&Pressed) -> Estimate) -> Curve {
     let omegas = pressed.iter().map(|pressed| pressed.omega).collect();
-    Curve::new(label, omegas, values).with_error(errors)
+    Curve::with_errors(label, omegas, pressed.iter().map(value))
 }
 
 /// The frictionless presses at small strain and the fits, over Hertz.
@@ -156,10 +152,7 @@ fn over_hertz(shown: &Shown, curves: &[(Case, Vec<Pressed>)]) -> Panel {
     };
     let mut drawn = Vec::new();
     for (style, (case, pressed)) in curves[..STRAINS.len()].iter().enumerate() {
-        let simulated = |p: &Pressed| {
-            let ((value, error), by) = (part(p), p.omega.powf(*power));
-            (value / by, error / by)
-        };
+        let simulated = |p: &Pressed| part(p).over(Estimate::exact(p.omega.powf(*power)));
         let name = format!("σ_{{Y}}/E* = {}", case.strain);
         drawn.push(points(name, pressed, simulated).drawn_as(Drawn::Markers, style));
         let fit = of_fit(jackson, case.strain);
@@ -175,8 +168,8 @@ fn off_jackson(shown: &Shown, curves: &[(Case, Vec<Pressed>)]) -> Panel {
     let Shown { label, part, jackson, .. } = shown;
     let off = |(case, pressed): &(Case, Vec<Pressed>), name: &str, style| {
         let value = |p: &Pressed| {
-            let ((value, error), reference) = (part(p), jackson(p.omega, case.strain));
-            (100.0 * (value / reference - 1.0), 100.0 * error / reference)
+            let (Estimate { value, error }, reference) = (part(p), jackson(p.omega, case.strain));
+            Estimate { value: 100.0 * (value / reference - 1.0), error: 100.0 * error / reference }
         };
         Curve { style: Some(style), ..points(name.to_owned(), pressed, value) }
     };

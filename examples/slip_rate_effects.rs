@@ -98,25 +98,18 @@ fn figure(steel: &Slice) -> anyhow::Result<Figure> {
         .map(|omega| interference.iter().position(|known| known == omega).expect("a row of the table"))
         .collect();
     // Without the isothermal limit, as the axis is logarithmic.
-    let over_rate = |of: &dyn Fn(usize, usize) -> (f64, f64)| -> Vec<Curve> {
+    let over_rate = |of: &dyn Fn(usize, usize) -> Estimate| -> Vec<Curve> {
         let curve = |&row: &usize| {
-            let (values, errors): (Vec<f64>, Vec<f64>) =
-                (1..rates.len()).map(|column| of(row, column)).unzip();
-            Curve::new(format!("{} ω_{{c}}", interference[row]), rates[1..].to_vec(), values)
-                .with_error(errors)
+            let values = (1..rates.len()).map(|column| of(row, column));
+            Curve::with_errors(format!("{} ω_{{c}}", interference[row]), rates[1..].to_vec(), values)
         };
         rows.iter().map(curve).collect()
     };
-    let of = |quantity: Quantity| {
-        move |row: usize, column: usize| {
-            let x = cell(steel, row, column, quantity);
-            (x.value, x.error)
-        }
-    };
+    let of = |quantity: Quantity| move |row: usize, column: usize| cell(steel, row, column, quantity);
     let stress = |row: usize, column: usize| {
         let [friction, area] = [Quantity::Friction, Quantity::Area].map(|q| cell(steel, row, column, q));
         let value = friction.value / area.value / 1e6;
-        (value, value * (friction.error / friction.value + area.error / area.value))
+        Estimate { value, error: value * (friction.error / friction.value + area.error / area.value) }
     };
     let falls: Vec<Fall> = (0..interference.len()).map(|row| Fall::of(steel, row)).collect();
     let parts = ["strength", "area", "load"].into_iter().enumerate().map(|(part, name)| {
@@ -128,8 +121,7 @@ fn figure(steel: &Slice) -> anyhow::Result<Figure> {
         let axis = table.axes().interference.clone();
         let ratio = (0..axis.len()).map(|row| energy_ratio(name, &table, row));
         let ratio: Vec<Estimate> = ratio.collect::<anyhow::Result<_>>()?;
-        let curve = Curve::new(name, axis, ratio.iter().map(|x| x.value).collect());
-        ratios.push(curve.with_error(ratio.iter().map(|x| x.error).collect()));
+        ratios.push(Curve::with_errors(name, axis, ratio));
     }
     let rate = || Axis::logarithmic("Slip rate V (m/s)");
     let depth = || Axis::logarithmic("Interference ω_{0}/ω_{c}");

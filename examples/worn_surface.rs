@@ -109,13 +109,9 @@ fn surface(path: &Path, table: &InterpolatedTable, heights: &str) -> anyhow::Res
 
 fn figure(fresh: &Prediction, worn: &Prediction) -> Figure {
     let curve = |name: &str, prediction: &Prediction, row: usize| {
-        let sliding = || prediction.friction[row].iter().map(|friction| friction.sliding.mu);
-        Curve::new(
-            format!("{name}, {} MPa", 1e-6 * prediction.query.loading.values()[row]),
-            prediction.query.slip_rates.clone(),
-            sliding().map(|mu| mu.value).collect(),
-        )
-        .with_error(sliding().map(|mu| mu.error).collect())
+        let label = format!("{name}, {} MPa", 1e-6 * prediction.query.loading.values()[row]);
+        let mu = prediction.friction[row].iter().map(|friction| friction.sliding.mu);
+        Curve::with_errors(label, prediction.query.slip_rates.clone(), mu)
     };
     let curves = [0, 2].into_iter().flat_map(|row| [curve("fresh", fresh, row), curve("worn", worn, row)]);
     let panel = Panel::new(

@@ -7,7 +7,6 @@ use crate::friction::{Friction, Prediction};
 use crate::sampling::case::{Case, Results};
 use crate::surface::query::NormalLoading;
 use tables::figures::{Axis, Curve, Drawn, Figure, Panel};
-use tables::law::Estimate;
 use tables::numbers::{Spacing, alike, digits};
 
 /// Curves that a panel can hold and stay legible.
@@ -101,8 +100,10 @@ pub fn figure(results: &Results) -> Figure {
 /// Friction against the slip since a step of the slip rate.
 fn since_step(prediction: &Prediction, response: &RateStepResponse) -> Panel {
     let slip: Vec<f64> = response.slip[1..].iter().map(|slip| 1e6 * slip).collect();
-    let curve =
-        |row: usize| curve_of(row_label(prediction, row), &slip, response.rows[row].mu[1..].iter().copied());
+    let curve = |row: usize| {
+        let mu = response.rows[row].mu[1..].iter().copied();
+        Curve::with_errors(row_label(prediction, row), slip.clone(), mu)
+    };
     let curves = chosen(response.rows.len(), MOST_CURVES).into_iter().map(curve).collect();
     let title = format!("Step from {} to {} m/s", response.rates[0], response.rates[1]);
     let (x, y) = (Axis::logarithmic("Slip since the step (µm)"), Axis::linear(FRICTION_LABEL));
@@ -120,7 +121,8 @@ fn compared(results: &Results) -> Panel {
         let first = prediction.friction.iter().map(|cells| &cells[0]).collect();
         (prediction.query.loading.values(), format!("this, {}", rate_label(rates[0])), first)
     };
-    let mut curves = vec![curve_of(label, values, cells.iter().map(|cell| cell.sliding.mu))];
+    let mu = cells.iter().map(|cell| cell.sliding.mu);
+    let mut curves = vec![Curve::with_errors(label, values.to_vec(), mu)];
     for comparison in &results.comparisons {
         let mu = |row: usize| comparison.friction[row].sliding.mu.value;
         let y = (0..values.len()).map(|place| mu(place.min(comparison.friction.len() - 1))).collect();
@@ -146,12 +148,6 @@ pub(super) fn chosen(count: usize, most: usize) -> Vec<usize> {
     (0..most).map(|i| i * (count - 1) / (most - 1)).collect()
 }
 
-/// A curve of values with their errors.
-fn curve_of(label: String, x: &[f64], y: impl Iterator<Item = Estimate>) -> Curve {
-    let (values, errors) = y.map(|estimate| (estimate.value, estimate.error)).unzip();
-    Curve::new(label, x.to_vec(), values).with_error(errors)
-}
-
 fn row_label(prediction: &Prediction, row: usize) -> String {
     let unit = match &prediction.query.loading {
         NormalLoading::Pressure(_) => "Pa",
@@ -171,7 +167,7 @@ fn over_slip_rate(prediction: &Prediction) -> Panel {
     let rows = chosen(prediction.friction.len(), MOST_CURVES);
     for (style, &row) in rows.iter().enumerate() {
         let mu = prediction.friction[row].iter().map(|cell| cell.sliding.mu);
-        let points = curve_of(row_label(prediction, row), rates, mu);
+        let points = Curve::with_errors(row_label(prediction, row), rates.clone(), mu);
         match &prediction.rate_laws[row].chosen {
             Ok(fit) => {
                 curves.push(points.drawn_as(Drawn::Markers, style));
@@ -226,7 +222,8 @@ fn over_loading(
     let mut curves = Vec::new();
     let mut add = |label: String, x: &[f64], cells: &mut dyn Iterator<Item = &Friction>, name| {
         let quantity = Quantity::named(name);
-        curves.push(curve_of(label, x, cells.map(|cell| quantity.estimate(cell).scaled(factor))));
+        let y = cells.map(|cell| quantity.estimate(cell).scaled(factor));
+        curves.push(Curve::with_errors(label, x.to_vec(), y));
     };
     for (prefix, name) in shown {
         if one_loading(prediction) {
@@ -253,7 +250,7 @@ fn along_the_slide(prediction: &Prediction) -> Panel {
             let history = prediction.friction[row][rate].mu_history.iter().copied();
             let slip_rate = rate_label(prediction.query.slip_rates[rate]);
             let label = format!("{}, {slip_rate}", row_label(prediction, row));
-            curves.push(curve_of(label, &prediction.slip, history));
+            curves.push(Curve::with_errors(label, prediction.slip.clone(), history));
         }
     }
     let (x, y) = (Axis::logarithmic("Slip s (m)"), Axis::linear(FRICTION_LABEL));

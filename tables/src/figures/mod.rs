@@ -20,6 +20,7 @@ use std::io;
 use std::path::Path;
 
 use crate::netcdf::write_atomically;
+use crate::quantity::Estimate;
 use axis::Range;
 use canvas::{Anchor, Group, Page};
 pub use field::{Arrow, Colors, Field, above};
@@ -126,10 +127,10 @@ impl Curve {
         Self { label: label.into(), x, y, ..Self::default() }
     }
 
-    /// The curve with absolute errors of `y`.
-    pub fn with_error(mut self, error: Vec<f64>) -> Self {
-        self.error = Some(error);
-        self
+    /// A curve with the errors of `y`.
+    pub fn with_errors(label: impl Into<String>, x: Vec<f64>, y: impl IntoIterator<Item = Estimate>) -> Self {
+        let (y, error) = y.into_iter().map(|y| (y.value, y.error)).unzip();
+        Self { error: Some(error), ..Self::new(label, x, y) }
     }
 
     /// Only a part of it, in the style of that number.

@@ -119,12 +119,11 @@ impl Slice {
         let curve = |n: usize| {
             let cell = |m: usize| if slip_rate { self.cell(n, m) } else { self.cell(m, n) };
             let at = |m: usize| cell(m).map_or(Estimate::UNKNOWN, shown.value);
-            let (y, error) = (0..x.len()).map(at).map(|at| (at.value, at.error)).unzip();
             let name = match slip_rate {
                 true => interference_label(axes.interference[n]),
                 false => rate_label(axes.slip_rate[n]),
             };
-            Curve::new(name, x.clone(), y).with_error(error)
+            Curve::with_errors(name, x.clone(), (0..x.len()).map(at))
         };
         let y = Axis { log: shown.log, ..Axis::linear(shown.label) };
         let curves = selection(curves).map(curve).collect();

@@ -5,9 +5,9 @@ use super::*;
 fn figure() -> Figure {
     let x: Vec<f64> = (0..9).map(|n| 10f64.powf(n as f64 / 4.0 - 1.0)).collect();
     let curve = |n: usize| {
-        let y: Vec<f64> = x.iter().map(|x| 0.3 / (1.0 + x / n as f64)).collect();
-        let error = y.iter().map(|y| 0.05 * y).collect();
-        Curve::new(format!("{n} ω_{{c}}"), x.clone(), y).with_error(error)
+        let y = x.iter().map(|x| 0.3 / (1.0 + x / n as f64));
+        let y = y.map(|value| Estimate { value, error: 0.05 * value });
+        Curve::with_errors(format!("{n} ω_{{c}}"), x.clone(), y)
     };
     let curves: Vec<Curve> = (1..4).map(curve).collect();
     let (rate, friction) = (Axis::logarithmic("slip rate V (m/s)"), Axis::linear("friction coefficient μ"));
