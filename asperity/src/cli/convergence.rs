@@ -3,8 +3,9 @@
 use asperity::output::provenance;
 use asperity::scene::file::read_scene;
 use asperity::simulate::SimulationError;
-use asperity::studies::convergence::{self, Convergence, DIVISOR, SHOWN};
-use serde_json::json;
+use asperity::studies::convergence::{self, Convergence, DIVISOR, Limit, Run, SHOWN};
+use serde_json::{Value, json};
+use tables::quantity::Quantity;
 
 use super::progress::watched;
 use super::{ConvergenceArguments, Display, Failure, command_line, outputs, program};
@@ -33,37 +34,31 @@ pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Resul
     Failure::all([saved, drawn, printed])
 }
 
-fn as_json(sweep: &Convergence) -> serde_json::Value {
-    let limits: serde_json::Map<_, _> = SHOWN
-        .iter()
-        .map(|&quantity| {
-            let limit = sweep.limit(quantity);
-            let value = json!({ "limit": limit.value, "doubt": limit.uncertainty, "order": limit.order });
-            (quantity.descriptor().name.to_owned(), value)
+fn as_json(sweep: &Convergence) -> Value {
+    let limit = |quantity| {
+        let Limit { value, uncertainty, order } = sweep.limit(quantity);
+        json!({ "limit": value, "doubt": uncertainty, "order": order })
+    };
+    let run = |run: &Run| {
+        let errors = |quantity| {
+            let (error, estimate) = sweep.errors(run, quantity);
+            json!({ "relative_error": error, "estimated": estimate })
+        };
+        json!({
+            "chosen": run.chosen,
+            "elements_per_radius": run.elements_per_radius,
+            "sectors": run.sectors,
+            "steps": run.steps,
+            "wall_time": run.wall_time,
+            "cpu_time": run.cpu_time,
+            "errors": by_name(errors),
         })
-        .collect();
-    let runs: Vec<_> = sweep
-        .runs
-        .iter()
-        .map(|run| {
-            let errors: serde_json::Map<_, _> = SHOWN
-                .iter()
-                .map(|&quantity| {
-                    let (error, estimate) = sweep.errors(run, quantity);
-                    let value = json!({ "relative_error": error, "estimated": estimate });
-                    (quantity.descriptor().name.to_owned(), value)
-                })
-                .collect();
-            json!({
-                "chosen": run.chosen,
-                "elements_per_radius": run.elements_per_radius,
-                "sectors": run.sectors,
-                "steps": run.steps,
-                "wall_time": run.wall_time,
-                "cpu_time": run.cpu_time,
-                "errors": errors,
-            })
-        })
-        .collect();
-    json!({ "accuracy": sweep.accuracy, "limits": limits, "runs": runs })
+    };
+    let runs: Vec<Value> = sweep.runs.iter().map(run).collect();
+    json!({ "accuracy": sweep.accuracy, "limits": by_name(limit), "runs": runs })
+}
+
+/// An entry for each quantity that is shown.
+fn by_name(entry: impl Fn(Quantity) -> Value) -> Value {
+    SHOWN.into_iter().map(|quantity| (quantity.descriptor().name, entry(quantity))).collect()
 }

@@ -2,7 +2,7 @@
 
 use asperity::scene::TemperatureTable;
 use asperity::scene::presets::{self, ConstantValue, Preset};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use tables::numbers;
 use tables::quantity::hint;
 
@@ -60,10 +60,9 @@ fn points(value: &ConstantValue) -> String {
 }
 
 fn as_json(preset: &Preset) -> Value {
-    let constants: Map<String, Value> =
-        preset.constants.iter().map(|constant| (constant.key.clone(), json!(constant))).collect();
-    let laws: Map<String, Value> =
-        preset.laws.iter().map(|(group, law)| (group.clone(), json!(law))).collect();
+    let constants: Value =
+        preset.constants.iter().map(|constant| (constant.key.as_str(), json!(constant))).collect();
+    let laws: Value = preset.laws.iter().map(|(group, law)| (group.as_str(), json!(law))).collect();
     json!({
         "name": preset.name,
         "title": preset.title,

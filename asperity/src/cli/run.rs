@@ -15,7 +15,7 @@ use asperity::simulate::derived;
 use asperity::simulate::expected_time::expected_time;
 use asperity::simulate::outcome::{Account, ErrorSource, Kernel, Outcome, Warning};
 use asperity::simulate::{SimulationError, simulate_recorded};
-use serde_json::json;
+use serde_json::{Value, json};
 use tables::netcdf::streams::say;
 use tables::netcdf::{DatasetReader, check_distinct, destination};
 use tables::numbers;
@@ -224,15 +224,10 @@ fn account(outcome: &Outcome) -> String {
     text
 }
 
-fn as_json(
-    scene: &Scene,
-    outcome: &Outcome,
-    incomplete: Option<&str>,
-    arguments: &RunArguments,
-) -> serde_json::Value {
+fn as_json(scene: &Scene, outcome: &Outcome, incomplete: Option<&str>, arguments: &RunArguments) -> Value {
     let scalars = derived::all_scalars(scene, outcome);
-    let summary: serde_json::Map<_, _> =
-        scalars.map(|(name, unit, _, estimate)| (name.to_owned(), json!(estimate.in_unit(unit)))).collect();
+    let summary: Value =
+        scalars.map(|(name, unit, _, estimate)| (name, json!(estimate.in_unit(unit)))).collect();
     let account = &outcome.account;
     json!({
         "output": arguments.output.display().to_string(),

@@ -235,7 +235,7 @@ fn as_json(table: &Table, output: &str) -> Value {
                 Status::Done(cell) => {
                     let entry = |quantity: Quantity| {
                         let descriptor = quantity.descriptor();
-                        (descriptor.name.to_owned(), json!(cell[quantity].in_unit(descriptor.units)))
+                        (descriptor.name, json!(cell[quantity].in_unit(descriptor.units)))
                     };
                     ("done", None, Quantity::SCALARS.into_iter().map(entry).collect())
                 }

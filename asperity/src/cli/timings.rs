@@ -1,7 +1,7 @@
 //! Time by part of the computation, as text and as JSON.
 
 use asperity::solver::timings::{Kernel, Timings};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 /// One line for each part, in seconds and in shares of the total.
 pub fn as_text(timings: &Timings) -> String {
@@ -21,7 +21,6 @@ pub fn as_text(timings: &Timings) -> String {
 
 /// Seconds by part.
 pub fn as_json(timings: &Timings) -> Value {
-    let parts: Map<String, Value> =
-        Kernel::ALL.into_iter().map(|kernel| (kernel.name().into(), json!(timings.of(kernel)))).collect();
+    let parts: Value = Kernel::ALL.into_iter().map(|kernel| (kernel.name(), timings.of(kernel))).collect();
     json!({ "parts": parts, "total": timings.total(), "main_run": timings.main_run() })
 }

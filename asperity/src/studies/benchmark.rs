@@ -108,10 +108,6 @@ impl Kernels {
         }
     }
 
-    pub fn unknowns(&self) -> usize {
-        self.displacement.len()
-    }
-
     pub fn steps(&self) -> usize {
         self.steps
     }

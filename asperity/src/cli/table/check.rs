@@ -5,7 +5,7 @@ use asperity::tabulate::{Options, tabulate};
 use rand::SeedableRng;
 use rand::rngs::StdRng;
 use rand::seq::index;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use tables::interpolation::InterpolatedTable;
 use tables::numbers::with_error;
 use tables::quantity::{Descriptor, Estimate, Quantity};
@@ -125,7 +125,7 @@ fn as_json(expected: &Slice, again: &Slice, comparison: &Comparison) -> Value {
     };
     let both = |quantity: Quantity| {
         let (here, there) = (values(expected, quantity)?, values(again, quantity)?);
-        Some((quantity.descriptor().name.to_owned(), json!({ "table": here, "again": there })))
+        Some((quantity.descriptor().name, json!({ "table": here, "again": there })))
     };
     let largest = comparison.largest();
     json!({
@@ -134,7 +134,7 @@ fn as_json(expected: &Slice, again: &Slice, comparison: &Comparison) -> Value {
         "quantity": largest.map(|difference| difference.quantity.descriptor().name),
         "largest": largest.map_or(0.0, |difference| difference.largest),
         "beyond_errors": beyond(comparison).collect::<Vec<_>>(),
-        "values": Quantity::SCALARS.into_iter().filter_map(both).collect::<Map<_, _>>(),
+        "values": Quantity::SCALARS.into_iter().filter_map(both).collect::<Value>(),
     })
 }
 

@@ -71,7 +71,7 @@ fn as_json(comparison: &Comparison) -> Value {
     let of_key = |OfKey { key, here, there }: &OfKey| json!({ "what": key, "first": here, "second": there });
     let [metadata, states] = [&comparison.metadata, &comparison.states]
         .map(|keys| keys.iter().map(of_key).collect::<Vec<Value>>());
-    let quantities: serde_json::Map<String, Value> = (comparison.quantities.iter())
+    let quantities: Value = (comparison.quantities.iter())
         .map(|difference| {
             let entry = json!({
                 "largest": difference.largest,
@@ -81,7 +81,7 @@ fn as_json(comparison: &Comparison) -> Value {
                 "compared": difference.compared,
                 "beyond_errors": difference.beyond_errors,
             });
-            (difference.quantity.descriptor().name.to_owned(), entry)
+            (difference.quantity.descriptor().name, entry)
         })
         .collect();
     json!({

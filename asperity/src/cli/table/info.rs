@@ -188,14 +188,13 @@ fn as_json(table: &Table, slice: &Slice, table_name: &str) -> Value {
             "between_error_median": statistics.between.map(|[median, _]| median),
             "between_error_largest": statistics.between.map(|[_, largest]| largest),
         });
-        (descriptor.name.to_owned(), entry)
+        (descriptor.name, entry)
     };
-    let quantities: serde_json::Map<String, Value> =
-        slice.error_statistics().into_iter().map(quantity).collect();
+    let quantities: Value = slice.error_statistics().into_iter().map(quantity).collect();
     let failures: Vec<Value> =
         slice.failures().map(|(at, reason)| json!({ "at": at, "reason": reason })).collect();
     json!({
-        "table": table_name.to_owned(),
+        "table": table_name,
         "title": metadata.title,
         "schema_version": table.schema_version(),
         "checksum": slice.checksum(),
@@ -228,7 +227,7 @@ fn by_temperature(table: &Table, table_name: &str) -> Value {
         json
     };
     json!({
-        "table": table_name.to_owned(),
+        "table": table_name,
         "title": table.metadata().title,
         "schema_version": table.schema_version(),
         "checksum": table.checksum(),

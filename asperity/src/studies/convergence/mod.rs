@@ -16,7 +16,7 @@ pub use words::{in_words, table};
 
 use crate::scene::{Kinematics, Scene};
 use crate::simulate::accuracy::error_budget::CONTROLLED;
-use crate::simulate::outcome::MAIN;
+use crate::simulate::outcome::{Account, MAIN, Outcome};
 use crate::simulate::{SimulationError, Watch, find_what_is_open, press, simulate, slide_refined};
 
 /// Quantities whose convergence is shown.
@@ -38,15 +38,8 @@ pub struct Run {
     pub wall_time: f64,
     /// Of all threads, s.
     pub cpu_time: f64,
-    /// Values with their errors.
+    /// Values with their estimated errors.
     pub scalars: Scalars,
-}
-
-impl Run {
-    /// With its estimated error.
-    pub fn value(&self, quantity: Quantity) -> Estimate {
-        self.scalars[quantity]
-    }
 }
 
 /// Where a quantity converges to.
@@ -87,23 +80,18 @@ impl Convergence {
             return Self::sweep(&found, finest, watch);
         }
         let mut runs = Vec::new();
-        let mut finite_strain = false;
-        let chosen = timed(true, || {
-            let outcome = simulate(scene, watch)?;
-            finite_strain = outcome.account.finite_strain;
-            Ok(outcome)
-        })?;
+        let (chosen, account) = timed(true, || simulate(scene, watch))?;
         for share in [3, 4, 6, 8, 12] {
             let mut scene = scene.clone();
-            scene.model.kinematics = if finite_strain { Kinematics::Finite } else { Kinematics::Small };
+            scene.model.kinematics =
+                if account.finite_strain { Kinematics::Finite } else { Kinematics::Small };
             scene.numerics.elements_per_radius = Some(finest * share / DIVISOR);
-            runs.push(timed(false, || {
-                // No refinement: increments are to be the same on all meshes.
-                slide_refined(&press(&scene, watch)?, scene.loading.slip_rate, 0, watch)
-            })?);
+            // No refinement: increments are to be the same on all meshes.
+            let slide = || slide_refined(&press(&scene, watch)?, scene.loading.slip_rate, 0, watch);
+            runs.push(timed(false, slide)?.0);
         }
         let limits =
-            SHOWN.map(|quantity| limit([0, 2, 4].map(|level: usize| runs[level].value(quantity).value)));
+            SHOWN.map(|quantity| limit([0, 2, 4].map(|level: usize| runs[level].scalars[quantity].value)));
         runs.push(chosen);
         let (accuracy, temperature) = (scene.numerics.accuracy, scene.loading.temperature);
         Ok(Self { accuracy, temperature, runs, limits: limits.to_vec() })
@@ -121,7 +109,7 @@ impl Convergence {
             true => (limit - self.temperature).abs(),
             false => limit.abs(),
         };
-        let Estimate { value, error } = run.value(quantity);
+        let Estimate { value, error } = run.scalars[quantity];
         // Without heat a temperature has no rise, and no error.
         let relative = |error: f64| if error == 0.0 { 0.0 } else { error / scale };
         (relative((value - limit).abs()), relative(error))
@@ -155,19 +143,13 @@ fn limit([first, second, third]: [f64; 3]) -> Limit {
 
 fn timed(
     chosen: bool,
-    work: impl FnOnce() -> Result<crate::simulate::outcome::Outcome, SimulationError>,
-) -> Result<Run, SimulationError> {
+    work: impl FnOnce() -> Result<Outcome, SimulationError>,
+) -> Result<(Run, Account), SimulationError> {
     let (begun, cpu) = (Instant::now(), cpu_time());
-    let outcome = work()?;
-    Ok(Run {
-        chosen,
-        elements_per_radius: outcome.account.elements_per_radius,
-        sectors: outcome.account.sectors,
-        steps: outcome.account.steps,
-        wall_time: begun.elapsed().as_secs_f64(),
-        cpu_time: cpu_time() - cpu,
-        scalars: outcome.scalars,
-    })
+    let Outcome { account, scalars, .. } = work()?;
+    let (wall_time, cpu_time) = (begun.elapsed().as_secs_f64(), cpu_time() - cpu);
+    let Account { elements_per_radius, sectors, steps, .. } = account;
+    Ok((Run { chosen, elements_per_radius, sectors, steps, wall_time, cpu_time, scalars }, account))
 }
 
 /// Of all threads of the process so far, s.

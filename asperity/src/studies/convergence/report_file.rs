@@ -44,8 +44,8 @@ pub fn write(
         let descriptor = quantity.descriptor();
         let (name, unit) = (descriptor.name, descriptor.units);
         let limit = convergence.limit(quantity);
-        let values: Vec<f64> = runs.iter().map(|run| run.value(quantity).value).collect();
-        let estimates: Vec<f64> = runs.iter().map(|run| run.value(quantity).error).collect();
+        let values: Vec<f64> = runs.iter().map(|run| run.scalars[quantity].value).collect();
+        let estimates: Vec<f64> = runs.iter().map(|run| run.scalars[quantity].error).collect();
         let errors: Vec<f64> = values.iter().map(|value| value - limit.value).collect();
         file.reals(name, &["run"], &values, &described(unit, descriptor.long_name))?;
         let long_name = format!("difference of {name} from its limit");

@@ -65,7 +65,7 @@ fn summary(report: &Report, judged: &[Quantity]) -> String {
         100.0 * report.covered(),
     );
     for &quantity in judged {
-        let QuantityReport { bias, size, sizes, stated, covered, ratios: [median, high, largest], .. } =
+        let QuantityReport { bias, size, sizes, stated, covered, ratios: [median, high, largest] } =
             report.of(quantity);
         let name = quantity.descriptor().name;
         let [bias, size, middle, most, stated, covered] =

@@ -54,7 +54,6 @@ pub struct SceneReport {
 /// Statistics of one quantity over all scenes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuantityReport {
-    pub quantity: Quantity,
     /// Mean of the relative true errors: the bias of the values.
     pub bias: f64,
     /// Mean of their sizes.
@@ -131,7 +130,6 @@ impl Report {
         let size: fn(&Judged) -> f64 = |judged| judged.error().abs() / judged.scale;
         let ratios: Vec<f64> = of(Judged::ratio).into_iter().filter(|ratio| ratio.is_finite()).collect();
         QuantityReport {
-            quantity,
             bias: mean(of(|judged| judged.error() / judged.scale)),
             size: mean(of(size)),
             sizes: [0.5, 0.9].map(|share| quantile(of(size), share)),
