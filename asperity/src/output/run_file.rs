@@ -263,18 +263,21 @@ mod tests {
     use crate::scene::file::parse_scene;
     use crate::simulate::fake;
 
-    fn write_fake(directory: &Path, outcome: &Outcome) -> std::path::PathBuf {
-        let path = directory.join("run.nc");
+    /// The file of an outcome, by itself in a folder.
+    fn written(scene: &Scene, outcome: &Outcome) -> (tempfile::TempDir, std::path::PathBuf) {
+        let directory = tempfile::tempdir().unwrap();
+        let path = directory.path().join("run.nc");
         let about = About { history: "2000-01-01T00:00:00Z: test".into(), incomplete: None };
-        write(&path, &fake::scene(20.0, 1.0), outcome, &about).unwrap();
-        path
+        write(&path, scene, outcome, &about).unwrap();
+        (directory, path)
     }
 
     #[test]
     fn file_has_the_variables_and_attributes_of_the_contract() {
-        let directory = tempfile::tempdir().unwrap();
-        let outcome = fake::outcome(&fake::scene(20.0, 1.0));
-        let file = netcdf::open(write_fake(directory.path(), &outcome)).unwrap();
+        let scene = fake::scene(20.0, 1.0);
+        let outcome = fake::outcome(&scene);
+        let (_directory, path) = written(&scene, &outcome);
+        let file = netcdf::open(path).unwrap();
         let dimensions = |name: &str| -> Vec<String> {
             let variable = file.variable(name).unwrap_or_else(|| panic!("no {name}"));
             assert!(variable.attribute("long_name").is_some(), "{name}");
@@ -318,21 +321,17 @@ mod tests {
         assert_eq!(text("Conventions"), "CF-1.11");
         assert_eq!(text("completion"), "complete");
         assert_eq!(text("warnings"), lines(&outcome.account.warnings));
-        let scene = parse_scene(&text("scene"), "attribute", &[]).unwrap();
-        assert_eq!(scene, fake::scene(20.0, 1.0));
+        assert_eq!(parse_scene(&text("scene"), "attribute", &[]).unwrap(), scene);
         let slip: Vec<f64> = file.variable("slip").unwrap().get_values(..).unwrap();
         assert_eq!(slip, outcome.slide.column(Quantity::Slip));
     }
 
     #[test]
     fn energy_is_related_to_the_fracture_energy() {
-        let directory = tempfile::tempdir().unwrap();
         let mut scene = fake::scene(20.0, 1.0);
         let outcome = fake::outcome(&scene);
         scene.material.fracture = Some(crate::scene::FractureData::Energy { shear_fracture_energy: 500.0 });
-        let path = directory.path().join("fracture.nc");
-        let about = About { history: String::new(), incomplete: None };
-        write(&path, &scene, &outcome, &about).unwrap();
+        let (_directory, path) = written(&scene, &outcome);
         let file = netcdf::open(path).unwrap();
         let value = |name: &str| file.variable(name).unwrap().get_value::<f64, _>(..).unwrap();
         assert_eq!((value("G_IIc"), value("G_IIc_error")), (500.0, 0.0));
@@ -342,10 +341,10 @@ mod tests {
 
     #[test]
     fn two_files_of_one_outcome_are_the_same_bytes_and_leave_nothing_else() {
-        let outcome = fake::outcome(&fake::scene(20.0, 1.0));
+        let scene = fake::scene(20.0, 1.0);
+        let outcome = fake::outcome(&scene);
         let [first, second] = [(); 2].map(|()| {
-            let directory = tempfile::tempdir().unwrap();
-            let path = write_fake(directory.path(), &outcome);
+            let (directory, path) = written(&scene, &outcome);
             assert_eq!(std::fs::read_dir(directory.path()).unwrap().count(), 1);
             std::fs::read(path).unwrap()
         });
@@ -354,11 +353,12 @@ mod tests {
 
     #[test]
     fn a_run_that_failed_at_once_still_gives_a_file() {
-        let directory = tempfile::tempdir().unwrap();
-        let mut outcome = fake::outcome(&fake::scene(20.0, 1.0));
+        let scene = fake::scene(20.0, 1.0);
+        let mut outcome = fake::outcome(&scene);
         outcome.slide.truncate(0);
         outcome.snapshots.clear();
-        let file = netcdf::open(write_fake(directory.path(), &outcome)).unwrap();
+        let (_directory, path) = written(&scene, &outcome);
+        let file = netcdf::open(path).unwrap();
         assert!(file.variable("mu").is_none());
         assert!(file.variable("P_press").is_some());
     }

@@ -138,10 +138,18 @@ mod tests {
         assert_eq!((until(0.0009), until(0.005)), (7, 21));
     }
 
+    fn outcome() -> Outcome {
+        fake::outcome(&fake::scene(20.0, 1.0))
+    }
+
+    fn cell(outcome: &Outcome) -> Cell {
+        Finished::new(outcome, &slip_grid(2.0), 298.0).cell
+    }
+
     #[test]
     fn histories_start_unloaded_and_end_with_the_last_step() {
-        let outcome = fake::outcome(&fake::scene(20.0, 1.0));
-        let cell = Finished::new(&outcome, &slip_grid(2.0), 298.0).cell;
+        let outcome = outcome();
+        let cell = cell(&outcome);
         let last = |quantity| outcome.slide.last(quantity).unwrap();
         let ends = |quantity| {
             let values = cell.history(quantity);
@@ -156,30 +164,28 @@ mod tests {
 
     #[test]
     fn unknown_errors_have_the_values_as_bounds() {
-        let mut outcome = fake::outcome(&fake::scene(20.0, 1.0));
+        let mut outcome = outcome();
         outcome.scalars = Scalars::from_fn(|_| Estimate { value: 400.0, error: f64::NAN });
-        let cell = Finished::new(&outcome, &slip_grid(2.0), 298.0).cell;
+        let cell = cell(&outcome);
         assert_eq!((cell[Quantity::Load].error, cell[Quantity::TemperatureMax].error), (400.0, 102.0));
     }
 
     #[test]
     fn linear_histories_are_kept() {
-        let mut outcome = fake::outcome(&fake::scene(20.0, 1.0));
+        let mut outcome = outcome();
         let friction = outcome.slide.column(Quantity::Slip).iter().map(|slip| 3.0 * slip).collect();
         *outcome.slide.column_mut(Quantity::Friction) = friction;
         let radius = outcome.scalars[Quantity::ContactRadius].value;
-        let slips = slip_grid(2.0);
-        let cell = Finished::new(&outcome, &slips, 298.0).cell;
-        for (slip, friction) in slips.iter().zip(cell.history(Quantity::Friction)) {
+        for (slip, friction) in slip_grid(2.0).iter().zip(cell(&outcome).history(Quantity::Friction)) {
             assert!((friction - 3.0 * slip * radius).abs() < 1e-15);
         }
     }
 
     #[test]
     fn nothing_is_invented_beyond_the_end_of_a_slide() {
-        let mut outcome = fake::outcome(&fake::scene(20.0, 1.0));
+        let mut outcome = outcome();
         outcome.slide.truncate(20);
-        let cell = Finished::new(&outcome, &slip_grid(2.0), 298.0).cell;
+        let cell = cell(&outcome);
         let friction = cell.history(Quantity::Friction);
         assert!(friction.last().unwrap().is_nan());
         assert!(friction[3].is_finite());

@@ -14,10 +14,17 @@ use crate::{alone, cells, ended, message};
 const CELLS: usize = 6;
 const JOBS: usize = 2;
 
-fn tabulate(directory: &Path, more: &[&str]) -> Command {
-    let mut command = crate::command(directory, "tabulate request.toml -o table.nc --jobs 2");
-    command.args(more).stdout(Stdio::null()).stderr(Stdio::piped());
+const TABULATE: &str = "tabulate request.toml -o table.nc --jobs 2";
+
+fn tabulate(directory: &Path, more: &str) -> Command {
+    let mut command = crate::command(directory, &format!("{TABULATE} {more}"));
+    command.stdout(Stdio::null()).stderr(Stdio::piped());
     command
+}
+
+/// What a tabulation says that ends well.
+fn tabulated(directory: &Path, more: &str) -> String {
+    ended(&tabulate(directory, more).output().unwrap(), 0)
 }
 
 fn folder() -> tempfile::TempDir {
@@ -31,7 +38,7 @@ fn undisturbed() -> &'static [Status] {
     static CELLS: OnceLock<Vec<Status>> = OnceLock::new();
     CELLS.get_or_init(|| {
         let folder = folder();
-        ended(&tabulate(folder.path(), &[]).output().unwrap(), 0);
+        tabulated(folder.path(), "");
         cells(&folder.path().join("table.nc"))
     })
 }
@@ -44,7 +51,7 @@ fn journalled(directory: &Path) -> usize {
 
 /// Kills a tabulation as soon as its journal has so many results.
 fn killed_with(results: usize, directory: &Path) {
-    let mut child = tabulate(directory, &[]).spawn().unwrap();
+    let mut child = tabulate(directory, "").spawn().unwrap();
     while journalled(directory) < results {
         std::thread::sleep(Duration::from_millis(2));
     }
@@ -54,7 +61,7 @@ fn killed_with(results: usize, directory: &Path) {
 
 /// Continues a killed tabulation to its end; what it said, after a check of the table.
 fn continued(directory: &Path) -> String {
-    let said = ended(&tabulate(directory, &["--resume", "-v"]).output().unwrap(), 0);
+    let said = tabulated(directory, "--resume -v");
     assert_undisturbed(directory);
     said
 }
@@ -74,7 +81,7 @@ fn killed_at_any_moment_it_continues() {
     let mut share = 0.5;
     loop {
         let before = journalled(folder.path());
-        let mut child: Child = tabulate(folder.path(), &["--resume"]).spawn().unwrap();
+        let mut child: Child = tabulate(folder.path(), "--resume").spawn().unwrap();
         share = (share + 0.618_034) % 1.0;
         // Later and later, so that there is an end to it.
         let longest = 200.0 + 100.0 * f64::from(kills);
@@ -184,8 +191,8 @@ fn a_directory_that_vanishes_ends_the_run() {
 fn two_programs_do_not_disturb_each_other() {
     let _alone = alone();
     let folder = folder();
-    let first = tabulate(folder.path(), &["--resume"]).spawn().unwrap();
-    let second = tabulate(folder.path(), &["--resume"]).spawn().unwrap();
+    let first = tabulate(folder.path(), "--resume").spawn().unwrap();
+    let second = tabulate(folder.path(), "--resume").spawn().unwrap();
     let outputs = [first, second].map(|child| child.wait_with_output().unwrap());
     let codes = outputs.each_ref().map(|output| output.status.code());
     assert!(codes.contains(&Some(0)), "{codes:?}");
@@ -201,21 +208,17 @@ fn a_finished_table_is_not_computed_again() {
     let _alone = alone();
     let folder = folder();
     let table = folder.path().join("table.nc");
-    ended(&tabulate(folder.path(), &[]).output().unwrap(), 0);
+    tabulated(folder.path(), "");
     let before = std::fs::read(&table).unwrap();
-    let resumed = |more: &str| {
-        crate::done(folder.path(), &format!("tabulate request.toml -o table.nc --jobs 2 --resume {more}"))
-    };
-    let said = resumed("");
+    let said = crate::done(folder.path(), &format!("{TABULATE} --resume"));
     assert!(said.contains("table.nc: the table of this request is complete"), "{said}");
     assert_eq!(std::fs::read(&table).unwrap(), before);
     // That of another request is not replaced.
     let other = "--set table.interference=[0.5]";
-    let resumed = format!("tabulate request.toml -o table.nc --jobs 2 --resume {other}");
+    let resumed = format!("{TABULATE} --resume {other}");
     crate::refused(folder.path(), &resumed, &["table.nc: holds a table of another request"]);
     assert_eq!(std::fs::read(&table).unwrap(), before);
-    let replacing = tabulate(folder.path(), &other.split(' ').collect::<Vec<_>>()).output().unwrap();
-    let said = ended(&replacing, 0);
+    let said = tabulated(folder.path(), other);
     assert!(
         said.contains("warning: table.nc: holds a table of another request, or another part of it"),
         "{said}"
@@ -230,14 +233,14 @@ fn resuming_does_not_replace_what_is_no_table() {
     let folder = folder();
     let table = folder.path().join("table.nc");
     std::fs::write(&table, "notes").unwrap();
-    let resumed = "tabulate request.toml -o table.nc --jobs 2 --resume";
-    crate::refused(folder.path(), resumed, &["table.nc", "--resume would replace the file"]);
+    let resumed = format!("{TABULATE} --resume");
+    crate::refused(folder.path(), &resumed, &["table.nc", "--resume would replace the file"]);
     assert_eq!(std::fs::read(&table).unwrap(), b"notes");
-    let said = ended(&tabulate(folder.path(), &[]).output().unwrap(), 0);
+    let said = tabulated(folder.path(), "");
     assert!(said.contains("the table replaces the file when it is done"), "{said}");
     let whole = std::fs::read(&table).unwrap();
     std::fs::write(&table, &whole[..whole.len() / 2]).unwrap();
-    crate::refused(folder.path(), resumed, &["table.nc", "--resume would replace the file"]);
+    crate::refused(folder.path(), &resumed, &["table.nc", "--resume would replace the file"]);
 }
 
 /// A table called by a link is the table that the link leads to.
@@ -264,7 +267,7 @@ fn a_clock_may_go_backwards() {
         return;
     };
     let folder = folder();
-    let mut command = tabulate(folder.path(), &["--progress", "--timings"]);
+    let mut command = tabulate(folder.path(), "--progress --timings");
     // Of the clock of the day alone: a monotonic one does not do so.
     command.env("LD_PRELOAD", library).env("FAKETIME", "-1h i-3600").env("FAKETIME_DONT_FAKE_MONOTONIC", "1");
     let said = ended(&command.output().unwrap(), 0);

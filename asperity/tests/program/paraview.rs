@@ -4,7 +4,6 @@
 //! flat that the asperity was pressed against.
 
 use std::path::Path;
-use std::process::Command;
 use std::sync::OnceLock;
 
 use tables::netcdf::DatasetReader;
@@ -121,23 +120,4 @@ fn the_stress_on_the_axis_carries_the_pressure_of_the_contact_centre() {
     let axial = values(&grid, "stress")[6 * apex + 2];
     // The mean over the element below the apex is not yet the value at the surface.
     assert!((axial / -pressure[0] - 1.0).abs() < 0.1, "{axial:e} {:e}", pressure[0]);
-}
-
-/// With another reader, where Python has it.
-#[test]
-fn meshio_reads_the_files() {
-    let _alone = alone();
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/read_body.py");
-    let python = |arguments: &[&str]| Command::new("python3").args(arguments).output();
-    if !python(&["-c", "import meshio"]).is_ok_and(|output| output.status.success()) {
-        println!("skipped: python3 with meshio is not there");
-        return;
-    }
-    let folder = results().join("half");
-    let output = python(&[script.to_str().unwrap(), folder.join("body.pvd").to_str().unwrap()]).unwrap();
-    let (said, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
-    assert!(output.status.success(), "{errors}");
-    // A line of titles and one for each state.
-    assert_eq!(said.lines().count(), 7, "{said}");
-    assert!(said.lines().last().unwrap().starts_with("0.200"), "{said}");
 }

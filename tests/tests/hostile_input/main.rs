@@ -39,11 +39,12 @@ fn seeds(kind: &str, folder: &Path) -> Vec<Vec<u8>> {
             let path = folder.join("seed.nc");
             table().write(&path).unwrap();
             let one = std::fs::read(&path).unwrap();
-            let mut hot = table();
-            hot.metadata_mut().temperature = 500.0;
-            let mut cold = table();
-            cold.metadata_mut().temperature = 300.0;
-            Table::new(vec![cold, hot]).unwrap().write(&path).unwrap();
+            let at = |temperature: f64| {
+                let mut table = table();
+                table.metadata_mut().temperature = temperature;
+                table
+            };
+            Table::new(vec![at(300.0), at(500.0)]).unwrap().write(&path).unwrap();
             vec![one, std::fs::read(path).unwrap()]
         }
         _ => files(
@@ -77,28 +78,31 @@ fn table() -> Slice {
     table
 }
 
+/// Why a text is refused, if it is.
+fn refused(kind: &str, text: &str) -> Option<String> {
+    match kind {
+        "scene" => parse_scene(text, "input", &[]).err().map(|error| error.to_string()),
+        "request" => parse_request(text, "input", &[]).err().map(|error| error.to_string()),
+        _ => SurfaceFile::parse("input".as_ref(), text.into()).err().map(|error| error.to_string()),
+    }
+}
+
 /// Reads one input; true if it was taken for good.
 fn read(kind: &str, bytes: &[u8], folder: &Path) -> bool {
-    let text = || String::from_utf8_lossy(bytes).into_owned();
+    if ["scene", "request", "surface"].contains(&kind) {
+        return refused(kind, &String::from_utf8_lossy(bytes)).is_none();
+    }
     let path = folder.join("input");
     // A new file each time: the HDF5 library may still have the last one open after an error, and
     // would take an old file of the same name and number for it.
     let _ = std::fs::remove_file(&path);
-    match kind {
-        "scene" => parse_scene(&text(), "input", &[]).is_ok(),
-        "request" => parse_request(&text(), "input", &[]).is_ok(),
-        "surface" => SurfaceFile::parse(&path, text()).is_ok(),
-        "table" => {
-            std::fs::write(&path, bytes).unwrap();
-            Table::read(&path).is_ok()
-        }
-        _ => {
-            std::fs::write(&path, bytes).unwrap();
-            // Arrays do not state the distance of their points, the others do.
-            let spaced = Reading { pixel: Some(1e-6), ..Reading::default() };
-            [Reading::default(), spaced].iter().any(|reading| topography::read(&path, reading).is_ok())
-        }
+    std::fs::write(&path, bytes).unwrap();
+    if kind == "table" {
+        return Table::read(&path).is_ok();
     }
+    // Arrays do not state the distance of their points, the others do.
+    let spaced = Reading { pixel: Some(1e-6), ..Reading::default() };
+    [Reading::default(), spaced].iter().any(|reading| topography::read(&path, reading).is_ok())
 }
 
 /// What the parent starts: inputs from HOSTILE_FIRST on, of HOSTILE_KIND; the number of the one being
@@ -192,12 +196,7 @@ fn reads_the_bombs() {
     for kind in ["scene", "request", "surface"] {
         for (name, text) in bombs().into_iter().chain(asked_for_too_much(kind)) {
             eprintln!("{kind}: {name}");
-            let error = match kind {
-                "scene" => parse_scene(&text, "input", &[]).err().map(|error| error.to_string()),
-                "request" => parse_request(&text, "input", &[]).err().map(|error| error.to_string()),
-                _ => SurfaceFile::parse(Path::new("input"), text).err().map(|error| error.to_string()),
-            };
-            short(name, error.unwrap_or_default());
+            short(name, refused(kind, &text).unwrap_or_default());
         }
     }
     // What is laid over a scene on the command line is TOML too.
