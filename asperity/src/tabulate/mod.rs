@@ -91,13 +91,11 @@ pub enum TabulateError {
         "--shard {0}: table.tolerance adds points where the whole table needs them; leave one of the two out"
     )]
     Shard(Shard),
-    /// The file that the table is written to is another one.
     #[error(
         "{0}: holds a table of another request, or another shard, which --resume would replace; to replace it leave out \
          --resume"
     )]
     OtherTable(String),
-    /// The table that lacks cells is of another build of the program.
     #[error(
         "{0}: lacks cells, and those that it has are of another build of the program, which may give other numbers; to make the whole \
          table anew leave out --resume"
@@ -106,7 +104,6 @@ pub enum TabulateError {
     /// What the file that the table is written to is instead.
     #[error("{0}; --resume would replace the file: delete it, or choose another name with --output")]
     NoTable(DatasetError),
-    /// The model does not go so deep.
     #[error(
         "table.interference = {asked}: must be at most about {most} (omega_0/omega_c){at}: the model needs a contact that \
          is small beside the asperity"
@@ -119,14 +116,8 @@ pub enum TabulateError {
         /// At which initial temperature, where there are several.
         at: String,
     },
-    /// The threads could not be started.
     #[error("cannot start {jobs} threads: {reason}")]
-    Threads {
-        /// As requested.
-        jobs: usize,
-        /// Message of the system.
-        reason: String,
-    },
+    Threads { jobs: usize, reason: String },
 }
 
 /// Presses and slides; a trait so that tests can replace the simulation.

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
 from . import _core
-from ._input import Document, Progress, given, output, overrides, progress as shown, warn
+from ._input import Document, Progress, given, output as writable, overrides as laid_over, progress as shown, warn
 from ._results import Drawn, Estimate, dataset
 from ._tables import Table
 
@@ -76,7 +76,7 @@ class Run(Drawn):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes ``run.nc``, the file of ``asperity run``."""
-        self._core.write(output(path, self._inputs), "asperity.simulate (Python)")
+        self._core.write(writable(path, self._inputs), "asperity.simulate (Python)")
 
     def save_body(self, directory: str | os.PathLike[str], whole: bool = False) -> Path:
         """Writes displacement, stress, plastic strain and temperature of the body for ParaView.
@@ -124,14 +124,10 @@ def simulate(
         RunError: it did not converge; ``run`` has the steps before.
     """
     with shown(progress) as show:
-        laid_over = _overrides(overrides)
         document = given(scene)
-        core = _core.simulate(document, laid_over, [float(s) for s in fields_at], body, threads, show)
+        core = _core.simulate(document, laid_over(overrides), [float(s) for s in fields_at], body, threads, show)
     warn(core.warnings())
     return Run(core, document.files)
-
-
-_overrides = overrides
 
 
 def tabulate(
@@ -165,9 +161,9 @@ def tabulate(
         RunError: the table cannot be written.
     """
     with tempfile.TemporaryDirectory(prefix="asperity-") as folder, shown(progress) as show:
-        place = Path(folder) / "table.nc" if output is None else _output(output, is_table=True)
+        place = Path(folder) / "table.nc" if output is None else writable(output, is_table=True)
         try:
-            core = _core.tabulate(given(request), place, _overrides(overrides), jobs, resume, show)
+            core = _core.tabulate(given(request), place, laid_over(overrides), jobs, resume, show)
         except KeyboardInterrupt:
             if output is not None:
                 kept = f"finished cells are kept in {place}.part; to continue, call with resume=True"
@@ -176,6 +172,3 @@ def tabulate(
     warn(core.warnings())
     warn(f"failed: {at}: {reason}" for at, reason in core.failures())
     return Table(core, None if output is None else os.fspath(output))
-
-
-_output = output

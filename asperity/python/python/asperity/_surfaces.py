@@ -165,9 +165,12 @@ def _heights(topography: Any, pixel: Any, unit: str) -> tuple[np.ndarray, tuple[
 class _Predicted:
     """Result with warnings and a netCDF file."""
 
-    _core: _core.Friction | _core.Samples
     _command: str
-    _inputs: Iterable[str | os.PathLike[str]]
+
+    def __init__(self, core: _core.Friction | _core.Samples, inputs: Iterable[str | os.PathLike[str]] = ()):
+        self._core, self._inputs = core, [*inputs, *core.inputs()]
+        self.summary: dict[str, Any] = json.loads(core.json())
+        """Every number with value, error and unit: the JSON of the program."""
 
     @property
     def warnings(self) -> list[str]:
@@ -193,11 +196,6 @@ class Friction(_Predicted, Drawn):
 
     _command = "asperity.predict (Python)"
 
-    def __init__(self, core: _core.Friction, inputs: Iterable[str | os.PathLike[str]] = ()):
-        self._core, self._inputs = core, [*inputs, *core.inputs()]
-        self.summary: dict[str, Any] = json.loads(core.json())
-        """Every number with value, error and unit: the JSON of ``roughsurface predict``."""
-
     @cached_property
     def dataset(self) -> "xarray.Dataset":
         """The content of ``friction.nc``: ``mu_static``, ``mu`` and others with ``_error`` over (``pressure``,
@@ -213,11 +211,6 @@ class Samples(_Predicted):
     """Friction of finite surfaces drawn at random: result of :func:`sample`."""
 
     _command = "asperity.sample (Python)"
-
-    def __init__(self, core: _core.Samples, inputs: Iterable[str | os.PathLike[str]] = ()):
-        self._core, self._inputs = core, [*inputs, *core.inputs()]
-        self.summary: dict[str, Any] = json.loads(core.json())
-        """Means and intervals: the JSON of ``roughsurface sample``."""
 
     @cached_property
     def dataset(self) -> "xarray.Dataset":

@@ -14,8 +14,8 @@ use tables::quantity::{Quantity, State};
 
 use super::heat_source::{RANGE, START, source};
 use super::partial_slip::{FRICTION, ON_8, scene_of};
-use super::setup::{last, mesh, pressed, scene, shear_strength, steel_4340};
-use super::strain_rate::{self, rated_material};
+use super::setup::{last, mesh, pressed, scene, steel_4340};
+use super::strain_rate::{self, at_slip_rate, weak_interface};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::scene::{FrictionLaw, LoadingStep, Scene, Switch};
 use crate::simulate::outcome::Outcome;
@@ -104,26 +104,18 @@ fn reversal(watch: &dyn Watch) -> Rows {
     Ok(rows)
 }
 
-/// Under an interface so weak that all of it slips: Q/A is the strength at V/a whatever the steps before.
+/// Q/A is the strength at V/a whatever the steps before.
 fn rate_step(watch: &dyn Watch) -> Rows {
     const LAW: &str = "1 + C ln(V/(a deps_0)), Johnson & Cook 1983";
-    let mut scene = scene(rated_material(), FrictionLaw::ShearStrength, 2.0, mesh(6, 4));
-    scene.interface.strength_factor = 0.2;
-    scene.model.heat = Switch::Off;
-    let virgin = shear_strength(&scene);
+    let scene = weak_interface(6);
     let rates = [0.01, 1.0, 0.01, -0.1];
-    let outcome = run(scene, rates.map(|rate| slip(rate, 0.05)).into(), watch)?;
-    let rows = rates.into_iter().zip(ends(&outcome)).enumerate().map(
-        |(n, (rate, end)): (usize, (f64, State<'_>))| {
-            let radius = (end[Quantity::Area] / PI).sqrt();
-            let strength = strain_rate::strength((rate.abs() / radius / strain_rate::REFERENCE).max(1.0));
-            let shear = end[Quantity::Friction] / end[Quantity::Area] / virgin;
-            let name = format!("Q/A over f tau_0 at {rate} m/s, step {}", n + 1);
-            let tolerance = Tolerance::relative(1e-4, "coupling of the shear limits");
-            Row::new(name, shear, Reference::exact(rate.signum() * strength, LAW), tolerance)
-        },
-    );
-    Ok(rows.collect())
+    let outcome = run(scene.clone(), rates.map(|rate| slip(rate, 0.05)).into(), watch)?;
+    let mut rows = Vec::new();
+    for (n, (rate, end)) in rates.into_iter().zip(ends(&outcome)).enumerate() {
+        let name = format!("Q/A over f tau_0 at {rate} m/s, step {}", n + 1);
+        rows.push(at_slip_rate(name, &scene, rate, end, LAW));
+    }
+    Ok(rows)
 }
 
 /// The same interface after the flat has stopped: Q falls with the logarithm of time as the contact slips on. The strength is
@@ -132,9 +124,7 @@ fn relaxation(watch: &dyn Watch) -> Rows {
     const SLIDER: &str = "slider on a spring, Perfettini & Avouac 2004, 10.1029/2003JB002488";
     const RATE: f64 = 1.0;
     const HOLDS: [f64; 3] = [1e-9, 1e-7, 1e-5];
-    let mut scene = scene(rated_material(), FrictionLaw::ShearStrength, 2.0, mesh(8, 4));
-    scene.interface.strength_factor = 0.2;
-    scene.model.heat = Switch::Off;
+    let scene = weak_interface(8);
     let shear_modulus = scene.material.youngs_modulus / (2.0 * (1.0 + scene.material.poisson_ratio));
     let poisson_ratio = scene.material.poisson_ratio;
     let hold =

@@ -3,12 +3,14 @@
 //! Without hardening a point strained at a constant rate obeys 3G(ε̇ − ε̇_p) = σ_Y C ε̈_p/ε̇_p once it flows, which makes
 //! r = ε̇_p/ε̇₀ the logistic function of time; at held strain 1/r grows linearly until r = 1.
 
-use tables::quantity::Quantity;
+use std::f64::consts::PI;
+
+use tables::quantity::{Quantity, State};
 
 use super::setup::{last, mesh, plain_material, scene, shear_strength};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::material::{Solid, StrainPath, Trial};
-use crate::scene::{FrictionLaw, Material, Rate, Switch};
+use crate::scene::{FrictionLaw, Material, Rate, Scene, Switch};
 use crate::simulate::{Watch, simulate};
 
 const LAW: &str = "Johnson & Cook 1983, Proc. 7th Int. Symp. Ballistics, 541";
@@ -26,7 +28,7 @@ pub const CASES: [Case; 2] = [
     Case::new("interface at the strain rate V/a", Cost::Quick, interface),
 ];
 
-pub(super) fn rated_material() -> Material {
+fn rated_material() -> Material {
     let rate = Rate::JohnsonCook { coefficient: COEFFICIENT, reference: REFERENCE };
     Material { rate, ..plain_material(0.3) }
 }
@@ -126,26 +128,38 @@ fn material_point() -> Vec<Row> {
     ]
 }
 
-/// Steel at 2 ω_c under a weaker interface, without heat: all of the contact slips at the strength of V/a.
-fn interface(watch: &dyn Watch) -> Rows {
-    let mut scene = scene(rated_material(), FrictionLaw::ShearStrength, 2.0, mesh(6, 4));
+/// Steel at 2 ω_c under an interface so weak that all of it slips, without heat.
+pub(super) fn weak_interface(elements: usize) -> Scene {
+    let mut scene = scene(rated_material(), FrictionLaw::ShearStrength, 2.0, mesh(elements, 4));
     scene.interface.strength_factor = 0.2;
-    scene.loading.slip_distance = 0.1;
     scene.model.heat = Switch::Off;
-    let virgin = shear_strength(&scene);
+    scene
+}
+
+/// Q/A in a state of such a slide: the strength at the strain rate V/a.
+pub(super) fn at_slip_rate(
+    name: String,
+    scene: &Scene,
+    slip_rate: f64,
+    state: State<'_>,
+    source: &'static str,
+) -> Row {
+    let radius = (state[Quantity::Area] / PI).sqrt();
+    let expected = slip_rate.signum() * strength((slip_rate.abs() / radius / REFERENCE).max(1.0));
+    let shear = state[Quantity::Friction] / state[Quantity::Area] / shear_strength(scene);
+    let tolerance = Tolerance::relative(1e-4, "coupling of the shear limits");
+    Row::new(name, shear, Reference::exact(expected, source), tolerance)
+}
+
+fn interface(watch: &dyn Watch) -> Rows {
+    let mut scene = weak_interface(6);
+    scene.loading.slip_distance = 0.1;
     let mut rows = Vec::new();
     for slip_rate in [0.0, 1e-9, 0.01, 1.0] {
         scene.loading.slip_rate = slip_rate;
         let outcome = simulate(&scene, watch)?;
-        let end = last(&outcome);
-        let radius = (end[Quantity::Area] / std::f64::consts::PI).sqrt();
-        let expected = strength((slip_rate / radius / REFERENCE).max(1.0));
-        rows.push(Row::new(
-            format!("Q/A over f tau_0 at {slip_rate} m/s"),
-            end[Quantity::Friction] / end[Quantity::Area] / virgin,
-            Reference::exact(expected, LAW),
-            Tolerance::relative(1e-4, "coupling of the shear limits"),
-        ));
+        let name = format!("Q/A over f tau_0 at {slip_rate} m/s");
+        rows.push(at_slip_rate(name, &scene, slip_rate, last(&outcome), LAW));
     }
     Ok(rows)
 }
