@@ -7,10 +7,9 @@ use std::sync::OnceLock;
 use tables::quantity::Quantity;
 use tables::table::Table;
 
-use crate::{alone, cells, done, refused};
+use crate::{SPHERE, alone, cells, done, folder_with, refused};
 
-const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
-                       [loading]\nslip_distance = 0.05\n\
+const REQUEST: &str = "[loading]\nslip_distance = 0.05\n\
                        [table]\ninterference = [2, 8]\nslip_rate = [1]\ntemperature = [298, 500, 700]\n\
                        [numerics]\nelements_per_radius = 4\nsectors = 4\n";
 
@@ -18,23 +17,18 @@ const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius =
 fn made() -> PathBuf {
     static MADE: OnceLock<tempfile::TempDir> = OnceLock::new();
     let folder = MADE.get_or_init(|| {
-        let folder = tempfile::tempdir().unwrap();
-        std::fs::write(folder.path().join("request.toml"), REQUEST).unwrap();
+        let folder = folder_with("request.toml", REQUEST);
         done(folder.path(), "tabulate request.toml -o whole.nc --plot whole.svg");
         done(folder.path(), "tabulate request.toml -o 1.nc --shard 1/2");
         done(folder.path(), "tabulate request.toml -o 2.nc --shard 2/2 --resume");
         // Strength and hardening as the softening law of the preset has them at 500 K.
         let factor = 1.0 - ((500.0_f64 - 298.0) / (1793.0 - 298.0)).powf(1.03);
-        let alone = REQUEST.replace("temperature = [298, 500, 700]\n", "").replace(
-            "[asperity]",
-            &format!(
-                "yield_strength = {}\nhardening = {{ modulus = {} }}\n[asperity]",
-                792e6 * factor,
-                510e6 * factor
-            ),
-        );
-        let alone = alone.replace("slip_distance", "temperature = 500.0\nslip_distance");
-        std::fs::write(folder.path().join("alone.toml"), alone).unwrap();
+        let (strength, modulus) = (792e6 * factor, 510e6 * factor);
+        let alone = format!("{SPHERE}{REQUEST}")
+            .replace("temperature = [298, 500, 700]\n", "")
+            .replace("slip_distance", "temperature = 500.0\nslip_distance");
+        let hot = format!("yield_strength = {strength}\nhardening = {{ modulus = {modulus} }}\n[asperity]");
+        std::fs::write(folder.path().join("alone.toml"), alone.replace("[asperity]", &hot)).unwrap();
         done(folder.path(), "tabulate alone.toml -o alone.nc");
         folder
     });
