@@ -2,7 +2,7 @@
 //! Brizmer, Kligerman & Etsion 2007 and Kogut & Etsion 2003.
 //!
 //! Sliding begins where the tangential stiffness is lost. Prints Q/P where the stiffness has fallen to 10, 5, 2 and 1 % of its
-//! first value, on two meshes; a dash where the slide ends before, for want of convergence or of slip. `light`
+//! first value, on two meshes; a dash where the slide ends before, without convergence or before sliding. `light`
 //! has the interferences around first yield at shear strength, `coarse` one interference on one mesh.
 //!
 //!     cargo run --release -p examples --example static_friction [light | coarse]

@@ -82,7 +82,7 @@ impl HeatEffect {
         let at_inception = flux * inception_depth * contact_radius * 2.0
             / (std::f64::consts::PI.sqrt() * material.thermal_conductivity);
         let (partition, partition_error) = expected_partition(scene, slip_rate, contact_radius);
-        let limited = if interface.law.is_limited_by_strength() { 1.0 } else { 0.0 };
+        let limited = if interface.law.heating_ends_at_melting() { 1.0 } else { 0.0 };
         Self {
             rise,
             softening: metal(rise).max(film(rise)),

@@ -112,7 +112,7 @@ fn return_map_ends_on_the_yield_surface() {
     }
 }
 
-/// A step that takes for ever is one of a solid without the rate law, to the last digit.
+/// A step of infinite duration is one of a solid without the rate law, to the last digit.
 #[test]
 fn slow_flow_is_that_without_a_rate_law() {
     let plain = solid(Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 });

@@ -1,7 +1,7 @@
 //! Laws of the tangential traction on the contact, as data.
 //!
-//! To add a law: its variant here, its parameters in the list of keys (`file/keys.rs`), and its
-//! limit of the shear traction, which the compiler requires (`interface/friction_law.rs`).
+//! To add a law: its variant here, with the properties below, its parameters in the list of keys (`file/keys.rs`), and its
+//! limit of the shear traction (`interface/friction_law.rs`); the compiler requires all of them but the keys.
 
 use serde::{Deserialize, Serialize};
 
@@ -49,11 +49,28 @@ fn capped() -> bool {
 }
 
 impl FrictionLaw {
-    /// Whether the strength of the material limits friction, among others.
-    pub(crate) fn is_limited_by_strength(&self) -> bool {
+    /// Whether friction heats the contact no further than to the temperature at which the material has no strength.
+    pub(crate) fn heating_ends_at_melting(&self) -> bool {
         match *self {
             Self::Coulomb { .. } | Self::BriscoeTabor { .. } => self.has_cap(),
             Self::ShearStrength | Self::FullStick | Self::Frictionless => true,
+        }
+    }
+
+    /// Whether the shear strength f_τ σ/√3 of the material limits the shear traction.
+    pub(crate) fn has_strength_limit(&self) -> bool {
+        match *self {
+            Self::ShearStrength => true,
+            Self::Coulomb { .. } | Self::BriscoeTabor { .. } => self.has_cap(),
+            Self::FullStick | Self::Frictionless => false,
+        }
+    }
+
+    /// Whether the limit of the shear traction is a law in the pressure, τ_0 + αp.
+    pub(crate) fn depends_on_pressure(&self) -> bool {
+        match self {
+            Self::Coulomb { .. } | Self::BriscoeTabor { .. } => true,
+            Self::ShearStrength | Self::FullStick | Self::Frictionless => false,
         }
     }
 
@@ -82,7 +99,9 @@ impl FrictionLaw {
     pub(crate) fn film_softening(&self) -> &Softening {
         match self {
             Self::BriscoeTabor { film_softening, .. } => film_softening,
-            _ => &Softening::None,
+            Self::ShearStrength | Self::Coulomb { .. } | Self::FullStick | Self::Frictionless => {
+                &Softening::None
+            }
         }
     }
 

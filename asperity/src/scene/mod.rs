@@ -158,7 +158,7 @@ impl Scene {
     pub fn highest_temperature(&self) -> Option<f64> {
         let melting = self.material.softening.melting();
         melting.filter(|melting| {
-            self.interface.law.is_limited_by_strength() && *melting > self.loading.temperature
+            self.interface.law.heating_ends_at_melting() && *melting > self.loading.temperature
         })
     }
 

@@ -318,7 +318,7 @@ fn press_history(problem: &Problem, increments: &[Increment], correction: &Corre
             Quantity::InterferencePress => increment.interference / problem.critical_interference,
             Quantity::LoadPress => increment.load * units.force(),
             Quantity::AreaPress => increment.area * units.area(),
-            _ => f64::NAN,
+            _ => unreachable!("{quantity:?} is no history of the press"),
         };
         history.push(|quantity| correction.factor(quantity) * of_run(quantity));
     }
@@ -365,7 +365,7 @@ fn slide_history(
             Quantity::HeatOut => energy(i.heat_out),
             Quantity::HeatCounterface => energy(i.heat_counterface),
             Quantity::HeatPartition => i.heat_partition,
-            _ => f64::NAN,
+            _ => unreachable!("{quantity:?} is no history of the slide"),
         };
         // The first state is that of the press.
         let of_state = Correction { has_slid: !history.is_empty(), ..*correction };

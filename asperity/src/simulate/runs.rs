@@ -166,8 +166,15 @@ impl<'a> Runner<'a> {
         let pair = [run, ladder.coarse.as_ref().unwrap_or(alike)]
             .map(|run| RunValues { resolution: &run.resolution, values: &run.values });
         let modelling_error = self.conditions.modelling_error(run);
-        let interference = self.pressed.scene.loading.interference;
-        Some(estimate(&ladder.start, auxiliary, pair, &modelling_error, interference))
+        let loading = &self.pressed.scene.loading;
+        Some(estimate(
+            &ladder.start,
+            auxiliary,
+            pair,
+            &modelling_error,
+            loading.interference,
+            loading.control,
+        ))
     }
 
     /// The resolution of the main run: that of the start, with more sectors and shorter increments where

@@ -88,7 +88,7 @@ impl Conditions<'_> {
     }
 
     /// Goes on with the last motion, if it slides and its steady friction is not known, until it is; `radius` is that of the
-    /// contact after the press. An increment that fails for good ends it.
+    /// contact after the press. An increment that fails in the shortest length ends it.
     fn go_on(
         &self,
         slide: &mut Slide<'_>,

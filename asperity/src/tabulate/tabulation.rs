@@ -10,7 +10,7 @@ use super::journal::{CellResult, Index};
 use super::shard::Shard;
 use crate::output::provenance::{FINGERPRINT, SOURCE};
 use crate::scene::file::{Request, write_request};
-use crate::scene::{FrictionLaw, Rate, Scene};
+use crate::scene::{Rate, Scene};
 use crate::simulate::fracture::fracture_energy;
 use crate::solver::timings::Timings;
 
@@ -149,7 +149,7 @@ impl Tabulation {
         };
         let body = material.elastic_plastic();
         let law = &interface.law;
-        let has_strength = *law == FrictionLaw::ShearStrength || law.has_cap() && law.has_friction();
+        let has_strength = law.has_strength_limit() && law.has_friction();
         let film = law.film(scene.loading.temperature);
         Metadata {
             title: self.title(),

@@ -2,7 +2,7 @@
 //!
 //! The checksum is the SHA-256 of all that a reader relies on: coordinates, numbers with their
 //! errors, histories, states, warnings, and the constants and the request that they hold for.
-//! Title, history and comment are left out, so that other tools may change them.
+//! Title, history, comment and the shear fracture energy are left out, so that other tools may change them.
 
 use sha2::{Digest, Sha256};
 

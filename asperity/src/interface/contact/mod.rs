@@ -229,14 +229,14 @@ impl Contact {
         } else {
             state.status = Status::Slip;
             let direction = if size > 0.0 { [stick[0] / size, stick[1] / size] } else { [1.0, 0.0] };
-            let rotation = if size > 0.0 { limit / size } else { 0.0 };
+            let reduction = if size > 0.0 { limit / size } else { 0.0 };
             state.traction = direction.map(|d| limit * d);
             state.slip = before.slip + (size - limit) / (yielding * tangential);
             for c in 0..2 {
                 for d in 0..2 {
                     let unit = if c == d { 1.0 } else { 0.0 };
                     self.stiffness[i][c][d] =
-                        area * share * tangential * rotation * (unit - direction[c] * direction[d]);
+                        area * share * tangential * reduction * (unit - direction[c] * direction[d]);
                 }
             }
         }

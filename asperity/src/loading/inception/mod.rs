@@ -1,7 +1,7 @@
 //! Sliding inception: the first state in which less than 1 % of the contact area sticks, or the tangential stiffness
 //! dQ/ds is below 1 % of its first value, whichever comes first.
 //!
-//! Friction and load are those of the largest Q up to that state: where heat takes the strength of the interface before the last
+//! Friction and load are those of the largest Q up to that state: where heat reduces the strength of the interface before the last
 //! points slip, Q has fallen by then, by an amount that depends on the increments. By the first criterion slip and G are those of
 //! full mobilisation of the shear strength ([`super::mobilisation`]): an error of the slip appears in G up to 6.6 times, and the
 //! slip at which the last points stick depends on mesh and angles. If Q falls faster than the contact unloads elastically,
@@ -29,16 +29,16 @@ const STICKS_AGAIN: f64 = 0.1;
 /// Share of friction by which a fall faster than the elastic unloading is noticed.
 const SUDDEN: f64 = 0.05;
 
-/// Which of the two criteria of sliding inception was met first.
+/// The criterion of sliding inception that was met first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum InceptionCriterion {
     /// Less than 1 % of the contact area sticks.
     FullSlip,
     /// dQ/ds fell below 1 % of its initial value.
     Stiffness,
-    /// Either, as friction falls faster than the contact unloads elastically, which therefore slips as a whole.
+    /// The contact slips as a whole: friction falls faster than the contact unloads elastically, −dQ/ds > dQ/ds(0).
     AtOnce,
-    /// Neither, up to the end of the slide.
+    /// None up to the end of the slide.
     #[default]
     None,
 }
@@ -77,7 +77,7 @@ pub fn inception(history: &[SlideState]) -> Inception {
 
 /// Slips in the first motion between which the contact alternately sticks and slips: heat takes its strength faster than its
 /// elasticity unloads it, or the interface hardens as it slips. Increments then decide when sliding begins. None if the stick
-/// area falls for good.
+/// area falls permanently.
 pub fn stick_slip(history: &[SlideState]) -> Option<[f64; 2]> {
     let mut motion =
         history.iter().take_while(|state| state.step == 0).skip_while(|state| !state.is_along_motion());
@@ -88,7 +88,7 @@ pub fn stick_slip(history: &[SlideState]) -> Option<[f64; 2]> {
 }
 
 /// First step of the programme after the first in which friction falls faster with slip than the contact unloads elastically, by
-/// more than [`SUDDEN`] of itself and other than with the slip rate, as where heat takes the strength of the interface at a higher
+/// more than [`SUDDEN`] of itself and other than with the slip rate, as where heat reduces the strength of the interface at a higher
 /// slip rate. The contact then slips as a whole (Scholz 1998, doi:10.1038/34097), by an amount that quasi-statics does not determine.
 pub fn sudden_fall(history: &[SlideState]) -> Option<usize> {
     let [start, first, ..] = history else { return None };

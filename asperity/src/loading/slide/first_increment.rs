@@ -35,7 +35,9 @@ impl Slide<'_> {
 
     /// δ_s = τ₀a(2 − ν)/(2G), the elastic displacement at gross slip, with 2 − ν taken as 2.
     fn elastic_displacement(&self) -> f64 {
-        let strength = self.problem.strength_factor.min(10.0) * SHEAR_RATIO;
+        /// Of the strength of the body: beyond it shear takes place below the interface.
+        const MOST_STRENGTH: f64 = 10.0;
+        let strength = self.problem.strength_factor.min(MOST_STRENGTH) * SHEAR_RATIO;
         let limit = self.mean_film_limit().map_or(strength, |limit| strength.min(limit));
         limit * self.history[0].radius() / self.problem.solid.moduli.shear
     }

@@ -8,7 +8,7 @@
 
 use crate::loading::press::extrapolate;
 
-/// First increment in units of the elastic displacement at gross slip, for [`REFERENCE_GROWTH`].
+/// First increment in units of the characteristic length of the motion, for [`REFERENCE_GROWTH`].
 const FIRST_INCREMENT: f64 = 0.05;
 /// Number of increments at least, for [`REFERENCE_GROWTH`]. With 12 instead of 24 of them μ changes by at most
 /// 0.48 % in slides between 10 and 100 ω_c.
@@ -30,7 +30,7 @@ const WHILE_SLIDING: f64 = 2.0;
 pub const INCEPTION_WIDTH: f64 = 0.01;
 /// Largest width of that increment.
 const WIDEST_INCEPTION: f64 = 0.05;
-/// Shortest increment, in units of the elastic displacement at gross slip.
+/// Shortest increment, in units of the characteristic length of the motion.
 const SHORTEST: f64 = 1e-6;
 
 /// Predictor of a step, extrapolated from the last states.
@@ -77,8 +77,8 @@ pub fn inception_width(softening: f64) -> f64 {
 #[derive(Debug)]
 pub struct StepControl {
     distance: f64,
-    /// Elastic displacement at gross slip.
-    elastic: f64,
+    /// Characteristic length of the motion, in a hold a time (`Slide::scale`).
+    scale: f64,
     growth: f64,
     /// Of the increments while the contact sticks.
     least: f64,
@@ -98,14 +98,14 @@ pub struct StepControl {
 }
 
 impl StepControl {
-    pub fn new(distance: f64, elastic: f64, growth: f64, inception_width: f64) -> Self {
-        let least = FIRST_INCREMENT * growth / REFERENCE_GROWTH * elastic;
+    pub fn new(distance: f64, scale: f64, growth: f64, inception_width: f64) -> Self {
+        let least = FIRST_INCREMENT * growth / REFERENCE_GROWTH * scale;
         let advance = least.min(distance / LEAST_INCREMENTS);
         let finest = (0.1 * least).min(0.1 * advance);
         let (attempted, usual) = (advance, advance);
         Self {
             distance,
-            elastic,
+            scale,
             growth,
             least,
             finest,
@@ -194,7 +194,7 @@ impl StepControl {
     pub fn cut_back(&mut self) -> bool {
         self.usual = 0.0;
         self.advance = 0.5 * self.attempted;
-        self.advance >= SHORTEST * self.elastic
+        self.advance >= SHORTEST * self.scale
     }
 
     /// Half of the way to the bracket's end, or all of it once that is narrow enough.

@@ -58,7 +58,7 @@ impl Motion {
         }
     }
 
-    /// The same in s, for the strain rate; infinite in the isothermal limit.
+    /// Time of a part of the length, in s, for the strain rate; infinite in the isothermal limit.
     pub fn seconds(&self, length: f64, units: &Units) -> f64 {
         match self {
             Self::Slip { slip_rate, .. } => length * units.length / slip_rate.abs(),

@@ -14,8 +14,7 @@ use crate::scene::fitted_constants::localised_shear;
 use crate::scene::loading::{default_slip_distance, default_temperature};
 use crate::scene::presets::Preset;
 use crate::scene::{
-    Control, FractureData, FrictionLaw, Interface, InterfaceStrength, Loading, Scene, Softening, Switch,
-    presets,
+    Control, FractureData, Interface, InterfaceStrength, Loading, Scene, Softening, Switch, presets,
 };
 
 /// Linear hardening modulus over yield strength that is suggested where none is given: within the range 0.35 to 4.5 of
@@ -137,7 +136,7 @@ impl Scene {
     fn without_effect(&self) -> Vec<String> {
         let Interface { ref law, strength_factor, heat_partition, .. } = self.interface;
         let default = Interface::default();
-        let unlimited = !matches!(law, FrictionLaw::ShearStrength) && !law.has_cap();
+        let unlimited = !law.has_strength_limit();
         let strength = (unlimited && strength_factor != default.strength_factor).then(|| {
             format!(
                 "interface.strength_factor = {strength_factor} has no effect: the strength of the material does not limit \

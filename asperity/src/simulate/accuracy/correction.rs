@@ -25,17 +25,16 @@ fn mean_errors(
 ) -> &'static [(MeanError, f64)] {
     use Quantity::*;
     let is_full_slip = inception == InceptionCriterion::FullSlip;
-    let has_film = matches!(law, FrictionLaw::Coulomb { .. } | FrictionLaw::BriscoeTabor { .. });
     let is_strength = *law == FrictionLaw::ShearStrength;
     match quantity {
         EnergyRelease if is_full_slip => &[(ENERGY, 1.0)],
         InceptionSlip if is_full_slip => &[(INCEPTION_SLIP, 1.0)],
         MuStatic if is_full_slip && is_strength => &[(STATIC_FRICTION, 1.0)],
         FrictionStatic if is_full_slip && is_strength => &[(STATIC_FRICTION, 1.0), (LOAD, 1.0)],
-        Load | LoadPress if !has_film => &[(LOAD, 1.0)],
+        Load | LoadPress if !law.depends_on_pressure() => &[(LOAD, 1.0)],
         Area | Friction | FrictionStatic if is_strength => &[(AREA, 1.0)],
         Mu | MuStatic | MuMean | MuPeak | MuSteady if is_strength => &[(AREA, 1.0), (LOAD, -1.0)],
-        Mu | MuStatic | MuMean | MuPeak | MuSteady if !has_film => &[(LOAD, -1.0)],
+        Mu | MuStatic | MuMean | MuPeak | MuSteady if !law.depends_on_pressure() => &[(LOAD, -1.0)],
         _ => &[],
     }
 }

@@ -5,8 +5,9 @@
 use tables::functions::interpolate;
 use tables::quantity::Quantity;
 
+use crate::scene::Control;
 use crate::scene::fitted_constants::error_estimates::{
-    AREA_OF_PRESS, DEEP_INCEPTION, ELEMENTS, ENERGY, ENERGY_OF_WEAKENING, FRICTION, HIGHEST_RISE,
+    AREA_OF_PRESS, DEEP_INCEPTION, ELEMENTS, ENERGY, ENERGY_OF_WEAKENING, FRICTION, HELD_LOAD, HIGHEST_RISE,
     INCEPTION_SLIP, INTERFERENCES, LOAD, LOAD_OF_PRESS, MEAN_RISE, STATIC_FRICTION,
 };
 
@@ -33,15 +34,15 @@ pub fn scatter(quantity: Quantity, interference: f64, elements_per_radius: usize
     share * logarithm.exp() * ELEMENTS / elements_per_radius as f64
 }
 
-/// Relative standard uncertainty of sliding inception in deep contacts, at ω₀/ω_c: what the mean errors of `correction` leave.
-/// The asperity sinks and its contact grows while the slip begins; a finer mesh is not known to reduce it.
-pub fn of_deep_inception(quantity: Quantity, interference: f64) -> f64 {
-    match quantity {
-        Quantity::EnergyRelease | Quantity::InceptionSlip => {
-            interpolate(&INTERFERENCES.map(f64::ln), &DEEP_INCEPTION, interference.ln()).0
-        }
-        _ => 0.0,
-    }
+/// Relative standard uncertainty of `G` and the slip at inception in deep contacts, at ω₀/ω_c: what the mean errors of `correction`
+/// leave. The contact grows while the slip begins, more where the load is held and the asperity sinks; a finer mesh is not known to
+/// reduce it.
+pub fn of_deep_inception(interference: f64, control: Control) -> f64 {
+    let factor = match control {
+        Control::Interference => 1.0,
+        Control::Load => HELD_LOAD,
+    };
+    factor * interpolate(&INTERFERENCES.map(f64::ln), &DEEP_INCEPTION, interference.ln()).0
 }
 
 #[cfg(test)]

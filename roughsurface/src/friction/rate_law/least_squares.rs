@@ -48,7 +48,7 @@ impl Curve {
     }
 
     /// Sum of the squared distances of μ from its mean.
-    pub fn variance(&self) -> f64 {
+    pub fn total_sum_of_squares(&self) -> f64 {
         self.mu().add_scalar(-self.mu().mean()).norm_squared()
     }
 
@@ -164,7 +164,7 @@ pub(super) fn minimise(form: &'static Form, curve: &Curve) -> Result<RateLaw, No
     let least = least.ok_or(NoFit::NoFriction)?;
     let (place, residuals, _) = least;
     // Where friction rises, the best falling law is a constant.
-    let explains = residuals.norm_squared() < (1.0 - TOLERANCE) * curve.variance();
+    let explains = residuals.norm_squared() < (1.0 - TOLERANCE) * curve.total_sum_of_squares();
     match explains && place[MU_0] > place[PLATEAU] && place[EXPONENT] > 0.0 {
         true => law(form, curve, least, &minima).ok_or(NoFit::Undetermined(f64::INFINITY)),
         false => Err(NoFit::NoWeakening),
@@ -281,7 +281,7 @@ fn law(form: &'static Form, curve: &Curve, least: &Minimum, minima: &[Minimum]) 
         exponent: estimate(EXPONENT),
         plateau: estimate(PLATEAU),
         misfit: (squares / count as f64).sqrt(),
-        r_squared: 1.0 - squares / curve.variance(),
+        r_squared: 1.0 - squares / curve.total_sum_of_squares(),
         criterion: curve.criterion(parameters, squares),
         condition,
         second: curve.points[1].0,

@@ -215,7 +215,7 @@ pub fn choose(slip_rates: &[f64], mu: &[Estimate]) -> RateLaws {
     let best = |one: &&RateLaw, other: &&RateLaw| one.criterion.total_cmp(&other.criterion);
     let chosen = match candidates.iter().flatten().filter(|law| law.criterion.is_finite()).min_by(best) {
         // A constant describes the data as well.
-        Some(law) if curve.criterion(1, curve.variance()) <= law.criterion => {
+        Some(law) if curve.criterion(1, curve.total_sum_of_squares()) <= law.criterion => {
             Err(NoFit::AsConstant(curve.len()))
         }
         Some(law) => Ok(*law),

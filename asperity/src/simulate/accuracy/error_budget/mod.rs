@@ -15,8 +15,8 @@
 
 use tables::quantity::{COVERAGE_FACTOR, OF_BOUND, Quantity};
 
-use crate::scene::Numerics;
 use crate::scene::fitted_constants::error_estimates::ORDER;
+use crate::scene::{Control, Numerics};
 use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::{MOST_OF_STEPS, RelativeParts, Resolution};
 use crate::simulate::accuracy::scatter::{of_deep_inception, scatter};
@@ -99,9 +99,11 @@ pub fn estimate(
     [run, coarse]: [RunValues<'_>; 2],
     modelling_error: &ModellingError,
     interference: f64,
+    control: Control,
 ) -> ErrorBudget {
     let mut budget = ErrorBudget::other_than_mesh(auxiliary, start).refined(start, run.resolution);
     budget.set_mesh(run, coarse, interference);
+    budget.set_brackets(run.values, of_deep_inception(interference, control));
     budget.add_residual(run.values);
     budget.set_model(modelling_error, run.values);
     budget
@@ -138,9 +140,14 @@ impl ErrorBudget {
             let scatter = scatter(quantity, interference, elements) * fine.magnitude(quantity);
             mesh_uncertainty(pair, refinement, scatter)
         });
+    }
+
+    /// By the bracket of inception of a run, and the relative uncertainty `deep` of `G` and the slip at inception.
+    fn set_brackets(&mut self, values: &Values, deep: f64) {
         self.brackets = Quantity::SCALARS.map(|quantity| {
-            let deep = of_deep_inception(quantity, interference) * fine.magnitude(quantity);
-            (OF_BOUND * fine.bracket(quantity)).hypot(deep)
+            let is_of_inception = [Quantity::EnergyRelease, Quantity::InceptionSlip].contains(&quantity);
+            let deep = if is_of_inception { deep * values.magnitude(quantity) } else { 0.0 };
+            (OF_BOUND * values.bracket(quantity)).hypot(deep)
         });
     }
 

@@ -1,5 +1,5 @@
 use super::*;
-use crate::scene::fitted_constants::error_estimates::DEEP_INCEPTION;
+use crate::scene::fitted_constants::error_estimates::{DEEP_INCEPTION, HELD_LOAD};
 use crate::scene::fitted_constants::localised_shear;
 
 fn numerics() -> Numerics {
@@ -12,10 +12,10 @@ fn alike(values: &Values) -> AuxiliaryValues<'_> {
 }
 
 /// The budget of a run and of one on its coarse mesh that agree, with auxiliary runs that do, too.
-fn of_agreeing(run: &Resolution, values: &Values, interference: f64) -> ErrorBudget {
+fn of_agreeing(run: &Resolution, values: &Values, interference: f64, control: Control) -> ErrorBudget {
     let coarser = run.coarse();
     let pair = [run, &coarser].map(|resolution| RunValues { resolution, values });
-    estimate(run, alike(values), pair, &ModellingError::default(), interference)
+    estimate(run, alike(values), pair, &ModellingError::default(), interference, control)
 }
 
 /// 3 + 2 n^-1.5 on n elements, and first order in the increments of the press: both bounds, and the scatter.
@@ -58,7 +58,8 @@ fn errors_of_runs_of_known_orders_are_found() {
                 RunValues { resolution, values: &values(resolution) },
                 RunValues { resolution: &coarser, values: &values(&coarser) },
             ];
-            let budget = estimate(&start, auxiliary, pair, &ModellingError::default(), 1.0);
+            let budget =
+                estimate(&start, auxiliary, pair, &ModellingError::default(), 1.0, Control::Interference);
             // The heat partition has no scatter.
             let part = |source| budget.part(source, Quantity::HeatPartition);
             let exact = 2.0 / 3f64.sqrt() * error(resolution);
@@ -111,7 +112,7 @@ fn meshes_that_agree_leave_the_scatter() {
     let start = Resolution::choose(&numerics());
     let values = Values::all(2.0);
     for interference in [0.2, 20.0] {
-        let budget = of_agreeing(&start, &values, interference);
+        let budget = of_agreeing(&start, &values, interference, Control::Interference);
         for quantity in [Quantity::Mu, Quantity::EnergyRelease] {
             let exact = 2.0 * scatter(quantity, interference, start.elements_per_radius);
             assert!((budget.relative(quantity, &values) / exact - 1.0).abs() < 1e-12);
@@ -131,8 +132,12 @@ fn deep_inception_is_no_reason_for_a_finer_mesh() {
     let start = Resolution::choose(&numerics());
     let values = Values::all(2.0);
     let exact = COVERAGE_FACTOR * 0.5 * DEEP_INCEPTION[4] * 2.0;
-    for elements_per_radius in [10, 40] {
-        let budget = of_agreeing(&Resolution { elements_per_radius, ..start }, &values, 1000.0);
+    for (elements_per_radius, control, exact) in [
+        (10, Control::Interference, exact),
+        (40, Control::Interference, exact),
+        (10, Control::Load, HELD_LOAD * exact),
+    ] {
+        let budget = of_agreeing(&Resolution { elements_per_radius, ..start }, &values, 1000.0, control);
         for found in [
             budget.part(ErrorSource::Steps, Quantity::EnergyRelease),
             budget.lasting(Quantity::EnergyRelease),
