@@ -22,8 +22,9 @@ use crate::table::{Axes, Slice};
 /// assert!(validation.worst(Quantity::Mu).error < 0.02);
 /// assert!(validation.worst(Quantity::EnergyRelease).error > validation.worst(Quantity::Mu).error);
 /// // Left out and predicted from its neighbours, over a gap that is twice as wide.
-/// let misfit = validation.misfit(Along::Interference, 3, 0, Quantity::Mu).unwrap();
-/// assert!(misfit > 1e-3 && misfit < 0.05, "{misfit}");
+/// let misfits = (1..10).filter_map(|row| validation.misfit(Along::Interference, row, 0, Quantity::Mu));
+/// let largest = misfits.fold(0.0, f64::max);
+/// assert!(largest > 1e-3 && largest < 0.05, "{largest}");
 /// // The ends of an axis cannot be left out.
 /// assert_eq!(validation.misfit(Along::Interference, 0, 0, Quantity::Mu), None);
 /// # Ok::<(), tables::shipped::TableSourceError>(())
