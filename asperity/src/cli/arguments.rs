@@ -7,10 +7,10 @@ use asperity::studies::convergence;
 use asperity::tabulate::Shard;
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
-use tables::figures::TABLE_PANELS;
 use tables::netcdf::input::number;
 use tables::netcdf::program::{Printer, netcdf_name};
 
+use super::outputs::TablePlot;
 use super::{Failure, help, table};
 
 /// Friction of one spherical elastic-plastic asperity on a rigid flat.
@@ -279,16 +279,6 @@ pub(super) struct MergeArguments {
     pub(super) partial: bool,
     #[command(flatten)]
     pub(super) figure: TablePlot,
-}
-
-#[derive(Args)]
-pub(super) struct TablePlot {
-    /// Plot the table; at several initial temperatures one file for each, FILE-500K.svg
-    #[arg(long, value_name = "FILE.svg|png|pdf")]
-    pub(super) plot: Option<PathBuf>,
-    /// Only this panel of the plot, 85 mm wide; may be repeated
-    #[arg(long, value_name = "NAME", requires = "plot", value_parser = PossibleValuesParser::new(TABLE_PANELS))]
-    pub(super) panel: Vec<String>,
 }
 
 fn parse_slip(text: &str) -> Result<f64, String> {

@@ -2,12 +2,23 @@
 
 use std::path::{Path, PathBuf};
 
-use tables::figures::Figure;
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use tables::figures::{Figure, TABLE_PANELS};
 use tables::netcdf::program::{Failure, save};
 use tables::netcdf::{check_irreplaceable, check_of_others, check_results, probe};
 use tables::table::Table;
 
-use super::arguments::TablePlot;
+// Options of the figure of a table; a documentation comment would replace the description of the command.
+#[derive(Args)]
+pub(super) struct TablePlot {
+    /// Plot the table; at several initial temperatures one file for each, FILE-500K.svg
+    #[arg(long, value_name = "FILE.svg|png|pdf")]
+    pub(super) plot: Option<PathBuf>,
+    /// Only this panel of the plot, 85 mm wide; may be repeated
+    #[arg(long, value_name = "NAME", requires = "plot", value_parser = PossibleValuesParser::new(TABLE_PANELS))]
+    pub(super) panel: Vec<String>,
+}
 
 /// Whether every output of a command can be written, and replaces neither an input, nor another output, nor a table, nor data of
 /// another program. Each file is given with its role; that of a figure is its option, `--plot`.
