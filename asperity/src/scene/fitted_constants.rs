@@ -1,4 +1,4 @@
-//! Constants of the simulation that were fitted to simulations: what was fitted, to which data, the residual, and
+//! Constants of the simulation that are fitted to runs of it: what was fitted, to which data, the residual, and
 //! what repeats the fit. Physics, solver and error estimates read their constants here and hold none of their own.
 //!
 //! Constants that follow from a formula, or that only trade speed for robustness (tolerances, iteration limits,
