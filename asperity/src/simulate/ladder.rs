@@ -3,6 +3,7 @@
 use super::SimulationError;
 use super::messages::Note;
 use super::run::Run;
+use crate::loading::slide::SlideFailure;
 use crate::scene::Numerics;
 use crate::simulate::accuracy::error_budget::ErrorBudget;
 use crate::simulate::accuracy::resolution::Resolution;
@@ -26,8 +27,8 @@ pub(super) struct Ladder {
     /// On the coarse mesh of the finest of them, where that is not the first: errors depend on the final resolution and
     /// not on those before.
     pub coarse: Option<Run>,
-    /// A finer run that did not finish.
-    pub abandoned: Option<Run>,
+    /// A finer run, and that on its coarse mesh, of which one did not finish.
+    pub abandoned: Vec<Run>,
     /// Why the runs that had to follow could not begin; the result is then the best of those before.
     pub obstacle: Option<SimulationError>,
     /// Time of runs that were begun and given up, or repeated on wider meshes, s.
@@ -44,7 +45,7 @@ impl Ladder {
             auxiliary,
             main: vec![main],
             coarse: None,
-            abandoned: None,
+            abandoned: Vec::new(),
             obstacle: None,
             given_up: 0.0,
             errors: Vec::new(),
@@ -68,6 +69,22 @@ impl Ladder {
         for run in self.auxiliary.iter_mut().chain(&mut self.main).chain(&mut self.coarse) {
             run.values.set_steady_friction(steady.ratio);
         }
+    }
+
+    /// Keeps a finer run and that on its coarse mesh, of which one did not finish, for the account.
+    pub fn abandon(&mut self, runs: [Run; 2]) {
+        let failed = runs.iter().find(|run| run.failure.is_some() && !run.is_cancelled());
+        if let Some(Run { resolution, failure: Some(cause), .. }) = failed {
+            let (elements, sectors) = (resolution.elements_per_radius, resolution.sectors);
+            let cause = match cause {
+                SlideFailure::Discontinuous { failures, last } => {
+                    format!("{failures} times an increment failed, the last time: {last}")
+                }
+                cause => cause.to_string(),
+            };
+            self.notes.push(Note::RefinementFailed { elements, sectors, cause });
+        }
+        self.abandoned.extend(runs);
     }
 
     /// Time of all slides, s.

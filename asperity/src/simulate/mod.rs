@@ -245,7 +245,7 @@ fn slide_in_pool(
     while ladder.main.len() <= refinements {
         let finer = budget.as_ref().and_then(|budget| ladder.finer(budget, &pressed.numerics, expected));
         let Some(finer) = finer else { break };
-        match runner.finer(&finer) {
+        match runner.finer(&finer, ladder.result()) {
             Ok([run, coarse]) if run.failure.is_none() && coarse.failure.is_none() => {
                 ladder.main.push(run);
                 ladder.coarse = Some(coarse);
@@ -253,7 +253,7 @@ fn slide_in_pool(
             // Here and below the run before is the result.
             Ok([run, coarse]) => {
                 stopped = run.is_cancelled() || coarse.is_cancelled();
-                ladder.abandoned = Some(run);
+                ladder.abandon([run, coarse]);
                 break;
             }
             Err(error) => {
@@ -315,7 +315,7 @@ fn run_alone(
 ) -> Result<Run, SimulationError> {
     in_pool(|| {
         let pressed = pressed::press_coarsely(scene, watch)?;
-        let progress = RunProgress { kind: "", span: (0.0, 1.0), goes_on: false };
+        let progress = RunProgress::new("", (0.0, 1.0));
         let mut run = Runner::new(&pressed, slip_rate, watch)?.run_with_room(resolution, progress)?;
         match run.failure.take() {
             None => Ok(run),

@@ -21,6 +21,8 @@ use crate::simulate::steady::SteadyState;
 /// repeated more finely.
 const AUXILIARY: f64 = 0.25;
 const MAIN: f64 = 0.7;
+/// Failed increments of a finer run beyond those of the run before, which is the result in its place.
+const FURTHER_FAILURES: usize = 5;
 
 /// Of all auxiliary runs; none where one did not finish.
 fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryValues<'_>> {
@@ -84,7 +86,7 @@ impl<'a> Runner<'a> {
     /// The auxiliary runs of a resolution, and the main run with the sectors and increments that they require. If they are
     /// stopped, the result is the run that has come furthest.
     fn runs_from(&self, start: Resolution) -> Result<Ladder, SimulationError> {
-        let progress = |from| RunProgress { kind: "", span: (from, MAIN), goes_on: false };
+        let progress = |from| RunProgress::new("", (from, MAIN));
         let early = EarlyMain::new(self.watch);
         let (auxiliary, begun) = rayon::join(
             || {
@@ -128,7 +130,7 @@ impl<'a> Runner<'a> {
     ) -> Result<(Vec<Run>, Next), SimulationError> {
         let [coarse, others @ ..] = start.auxiliary();
         let middle = 0.5 * AUXILIARY;
-        let progress = |span, goes_on| RunProgress { kind: "coarse mesh: ", span, goes_on };
+        let progress = |span, goes_on| RunProgress { goes_on, ..RunProgress::new("coarse mesh: ", span) };
         let mut runs = self.run_all(&[coarse], progress((0.0, middle), true), watch)?;
         // Without the first of them errors are unknown, and the others are not needed.
         if runs[0].failure.is_none() {
@@ -220,10 +222,11 @@ impl<'a> Runner<'a> {
             .collect()
     }
 
-    /// A finer main run, and one on its coarse mesh.
-    pub fn finer(&self, resolution: &Resolution) -> Result<[Run; 2], SimulationError> {
+    /// A main run finer than the one `before`, and one on its coarse mesh.
+    pub fn finer(&self, resolution: &Resolution, before: &Run) -> Result<[Run; 2], SimulationError> {
         self.watch.progress("slide", MAIN, "finer");
-        let progress = RunProgress { kind: "finer: ", span: (MAIN, 1.0), goes_on: false };
+        let most_failures = before.cutbacks + FURTHER_FAILURES;
+        let progress = RunProgress { most_failures, ..RunProgress::new("finer: ", (MAIN, 1.0)) };
         let runs = self.run_all(&[*resolution, resolution.coarse()], progress, self.watch)?;
         Ok(runs.try_into().unwrap_or_else(|_| unreachable!("as many runs as planned")))
     }
@@ -285,7 +288,7 @@ impl<'a> Runner<'a> {
         if !steady.lacks_room() || !self.conditions.fits(&wider) {
             return Ok(Some(steady));
         }
-        let progress = RunProgress { kind: "wider mesh: ", span: (1.0, 1.0), goes_on: true };
+        let progress = RunProgress { goes_on: true, ..RunProgress::new("wider mesh: ", (1.0, 1.0)) };
         let found = match self.run(&wider, progress, self.watch) {
             Ok(run) if run.is_cancelled() => return Err(SimulationError::Cancelled { partial: None }),
             Err(error @ SimulationError::Cancelled { .. }) => return Err(error),

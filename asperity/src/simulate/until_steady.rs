@@ -26,7 +26,7 @@ pub(crate) fn until_steady(scene: &Scene, watch: &dyn Watch) -> Result<(Scene, N
     let pressed = press_coarsely(&of_length(first), watch)?;
     let runner = Runner::new(&pressed, scene.loading.slip_rate, watch)?;
     let [coarse, ..] = pressed.resolution.auxiliary();
-    let progress = RunProgress { kind: "until steady: ", span: (0.0, 0.0), goes_on: true };
+    let progress = RunProgress { goes_on: true, ..RunProgress::new("until steady: ", (0.0, 0.0)) };
     let run = runner.run_with_room(&coarse, progress)?;
     if watch.cancelled() {
         return Err(SimulationError::Cancelled { partial: None });

@@ -39,7 +39,7 @@ const LARGEST_STRAIN_IN_STICK: f64 = 0.5;
 const STILL_STICKING: f64 = 0.5;
 /// Increments of a motion that fail after one that was taken, at which the slide ends: repeated halving counts once. Motions
 /// that arrive have up to 9; one without a continuous sequence of states fails in every fourth increment.
-const MOST_FAILURES: usize = 50;
+pub const MOST_FAILURES: usize = 50;
 
 #[derive(Debug, thiserror::Error)]
 pub enum SlideFailure {
@@ -59,10 +59,10 @@ pub enum SlideFailure {
     #[error("the state after the next increment is not admissible: {0}")]
     Impossible(#[from] Violation),
     #[error(
-        "{MOST_FAILURES} times an increment failed after one that was taken: there may be no continuous sequence of \
-         states, as where a light contact sticks and lifts off in turn; {WEAKER_INTERFACE} may have one. The last failure: {0}"
+        "{failures} times an increment failed after one that was taken: there may be no continuous sequence of \
+         states, as where a light contact sticks and lifts off in turn; {WEAKER_INTERFACE} may have one. The last failure: {last}"
     )]
-    Discontinuous(Box<SlideFailure>),
+    Discontinuous { failures: usize, last: Box<SlideFailure> },
     #[error("stopped on request")]
     Cancelled,
 }
@@ -126,6 +126,8 @@ pub struct Slide<'a> {
     pub history: Vec<SlideState>,
     pub recorder: Recorder,
     pub cutbacks: usize,
+    /// Failed increments of a motion at which the slide ends, see [`MOST_FAILURES`].
+    pub most_failures: usize,
     /// Largest increment relative to the slip so far, times [`increments::WHILE_STICKING`] or
     /// [`increments::WHILE_SLIDING`].
     growth: f64,
@@ -158,6 +160,7 @@ impl<'a> Slide<'a> {
             history: Vec::new(),
             recorder: Recorder::default(),
             cutbacks: 0,
+            most_failures: MOST_FAILURES,
             growth,
             inception_width: increments::INCEPTION_WIDTH,
             shears_without_limit: false,

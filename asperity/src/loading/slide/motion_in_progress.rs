@@ -1,7 +1,7 @@
 //! A motion of the flat in progress: its increments one after the other.
 
 use super::increments::{InceptionBracket, Predictor, StepControl};
-use super::{Advance, Attempt, MOST_FAILURES, Slide, SlideFailure};
+use super::{Advance, Attempt, Slide, SlideFailure};
 use crate::loading::state::SlideState;
 use crate::solver::StopRequest;
 
@@ -139,8 +139,8 @@ impl Slide<'_> {
             return Err(distorted.unwrap_or(failure));
         }
         match motion.failures {
-            MOST_FAILURES => Err(SlideFailure::Discontinuous(failure.into())),
-            _ => Ok(()),
+            failures if failures < self.most_failures => Ok(()),
+            failures => Err(SlideFailure::Discontinuous { failures, last: failure.into() }),
         }
     }
 }

@@ -70,13 +70,13 @@ fn a_cut_back_restores_the_history_completely() {
     assert!(forced.history.last().unwrap().rise_max > 1.0);
 
     // If further increments fail, the motion ends, with the states before.
-    let mut endless = ready(&problem);
-    endless.rejecting = 1000;
-    let ended = run(&mut endless, &[slip(FAST, distance)]);
-    assert!(
-        matches!(ended, Err(SlideFailure::Discontinuous(_))) && endless.history.len() == MOST_FAILURES,
-        "{ended:?}"
-    );
+    for most in [MOST_FAILURES, 3] {
+        let mut endless = ready(&problem);
+        (endless.rejecting, endless.most_failures) = (1000, most);
+        let ended = run(&mut endless, &[slip(FAST, distance)]);
+        let ends = matches!(ended, Err(SlideFailure::Discontinuous { failures, .. }) if failures == most);
+        assert!(ends && endless.history.len() == most, "{ended:?}");
+    }
 
     let mut direct = ready(&problem);
     let mut before = direct.predictor();

@@ -8,6 +8,7 @@ use std::fmt::{self, Display, Formatter, Write};
 use crate::heat::expected::{HeatChoice, HeatEffect};
 use crate::loading::inception::InceptionCriterion;
 use crate::loading::problem::{PressFriction, Problem, Units};
+use crate::loading::slide::MOST_FAILURES;
 use crate::loading::state::SlideState;
 use crate::scene::Scene;
 use crate::simulate::accuracy::resolution::Resolution;
@@ -82,6 +83,11 @@ pub enum Note {
         "not refined further: the last refinement changed the largest error from {before:.2} to {after:.2} times what is asked"
     )]
     RefinementStopped { before: f64, after: f64 },
+    /// A finer run ended before its slide did.
+    #[error(
+        "not refined further: the run on {elements} elements per contact radius and {sectors} angles did not reach its end: {cause}"
+    )]
+    RefinementFailed { elements: usize, sectors: usize, cause: String },
     /// The run was repeated on a mesh with more room.
     #[error(
         "repeated: the contact grew to {growth:.2} times its radius after the press, past the fine mesh, which now has room for {room:.2} times"
@@ -200,7 +206,7 @@ impl serde::Serialize for Note {
     }
 }
 
-/// A run of a slide, and its part of the progress of the whole.
+/// A run of a slide: its part of the progress of the whole, and where it ends.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RunProgress {
     /// Kind of the run, with a colon; empty for a main run.
@@ -209,9 +215,16 @@ pub(super) struct RunProgress {
     pub span: (f64, f64),
     /// Whether the slide goes on until its steady friction is known.
     pub goes_on: bool,
+    /// Failed increments at which the slide ends.
+    pub most_failures: usize,
 }
 
 impl RunProgress {
+    /// A run that ends with the slide.
+    pub fn new(kind: &'static str, span: (f64, f64)) -> Self {
+        Self { kind, span, goes_on: false, most_failures: MOST_FAILURES }
+    }
+
     /// Share of the whole after a share `done` of the run.
     pub fn at(&self, done: f64) -> f64 {
         let (from, to) = self.span;
@@ -247,7 +260,7 @@ mod tests {
     fn the_last_state_is_described_relative_to_the_first() {
         let units = Units { length: 1e-3, stress: 1e9, time: 1.0, temperature: 298.0 };
         let start = SlideState { area: 4e-4, load: 2.0, stick_fraction: 1.0, ..SlideState::default() };
-        let progress = RunProgress { kind: "finer: ", span: (0.0, 1.0), goes_on: false };
+        let progress = RunProgress::new("finer: ", (0.0, 1.0));
         assert_eq!(progress.describe(&units, &[start]), "finer: ");
         let slip = 0.25 * (4e-4 / std::f64::consts::PI).sqrt();
         let (area, friction, stick_fraction, rise_max) = (9e-4, 0.6, 0.125, 100.4);
