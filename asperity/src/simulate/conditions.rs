@@ -71,6 +71,11 @@ impl<'a> Conditions<'a> {
         Resolution { thermal_layer_refinements: self.thermal_layer_refinements, ..*resolution }
     }
 
+    /// Va/κ of the fastest step, with the contact radius after the press; 0 without heat.
+    pub fn peclet_number(&self) -> f64 {
+        self.speed * self.pressed.contact_radius
+    }
+
     /// Whether the hemisphere has room for the mesh.
     pub fn fits(&self, resolution: &Resolution) -> bool {
         self.at_surface(resolution).mesh_size(self.pressed.contact_radius).fits()

@@ -225,6 +225,7 @@ impl Pressed {
             law: &self.scene.interface.law,
             has_slid: false,
             interference: self.scene.loading.interference,
+            peclet: 0.0,
             resolution: self.resolution,
         };
         self.contact().load.value * correction.factor(Quantity::LoadPress)

@@ -201,7 +201,7 @@ fn fast_inception(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
     }
     let slip_rate = runner.conditions.programme.first()?.slip_rate();
     let Pressed { scene, problem, .. } = runner.pressed;
-    let correction = correction(scene, run);
+    let correction = correction(runner, run);
     let exact = |quantity| Estimate::exact(run.values.value(quantity) * correction.factor(quantity));
     let (friction, radius) = (exact(Quantity::FrictionStatic), exact(Quantity::ContactRadius));
     // Both bodies are displaced, the wave passes the asperity.
@@ -257,7 +257,7 @@ fn warning_of_strength(scene: &Scene, plastic_strain: f64) -> Option<Warning> {
 fn outcome(runner: &Runner<'_>, run: &mut Run, budget: ErrorBudget, account: Account) -> Outcome {
     let Pressed { scene, problem, .. } = runner.pressed;
     let units = problem.units;
-    let correction = correction(scene, run);
+    let correction = correction(runner, run);
     let budget = budget.scaled(|quantity| correction.factor(quantity));
     Outcome {
         interference: scene.loading.interference,
@@ -280,12 +280,14 @@ fn outcome(runner: &Runner<'_>, run: &mut Run, budget: ErrorBudget, account: Acc
 }
 
 /// Of the values of a run.
-fn correction<'a>(scene: &'a Scene, run: &Run) -> Correction<'a> {
+fn correction<'a>(runner: &Runner<'a>, run: &Run) -> Correction<'a> {
+    let scene = &runner.pressed.scene;
     Correction {
         inception: run.values.inception,
         law: &scene.interface.law,
         has_slid: run.history.len() > 1,
         interference: scene.loading.interference,
+        peclet: runner.conditions.peclet_number(),
         resolution: run.resolution,
     }
 }

@@ -11,7 +11,7 @@ use crate::loading::inception::InceptionCriterion;
 use crate::scene::FrictionLaw;
 use crate::scene::fitted_constants::error_estimates::{AtEach, ELEMENTS, INTERFERENCES, ORDER};
 use crate::scene::fitted_constants::mean_errors::{
-    AREA, ENERGY, INCEPTION_SLIP, LOAD, MeanError, SECTORS, STATIC_FRICTION,
+    AREA, ENERGY, INCEPTION_SLIP, LOAD, MeanError, SECTORS, STATIC_FRICTION, at_high_peclet_number,
 };
 use crate::simulate::accuracy::resolution::Resolution;
 
@@ -39,6 +39,22 @@ fn mean_errors(
     }
 }
 
+/// The further mean errors of sliding inception at high Péclet numbers.
+fn mean_error_at_high_peclet_number(
+    quantity: Quantity,
+    inception: InceptionCriterion,
+    law: &FrictionLaw,
+) -> Option<MeanError> {
+    use at_high_peclet_number::{ENERGY, INCEPTION_SLIP, STATIC_FRICTION};
+    let error = match quantity {
+        Quantity::EnergyRelease => ENERGY,
+        Quantity::InceptionSlip => INCEPTION_SLIP,
+        Quantity::MuStatic | Quantity::FrictionStatic => STATIC_FRICTION,
+        _ => return None,
+    };
+    (inception == InceptionCriterion::FullSlip && *law == FrictionLaw::ShearStrength).then_some(error)
+}
+
 /// Whether the values of a quantity are corrected.
 pub fn is_corrected(quantity: Quantity, inception: InceptionCriterion, law: &FrictionLaw) -> bool {
     !mean_errors(quantity, inception, law).is_empty()
@@ -53,6 +69,8 @@ pub struct Correction<'a> {
     pub has_slid: bool,
     /// ω₀/ω_c.
     pub interference: f64,
+    /// Va/κ with the contact radius after the press; 0 where heat is left out.
+    pub peclet: f64,
     pub resolution: Resolution,
 }
 
@@ -63,7 +81,14 @@ impl Correction<'_> {
             return 1.0;
         }
         let errors = mean_errors(quantity, self.inception, self.law);
-        errors.iter().map(|(error, power)| (1.0 + self.lacks(error)).powf(*power)).product()
+        let factor: f64 =
+            errors.iter().map(|(error, power)| (1.0 + self.lacks(error)).powf(*power)).product();
+        match mean_error_at_high_peclet_number(quantity, self.inception, self.law) {
+            Some(error) => {
+                factor * (1.0 + (self.peclet / at_high_peclet_number::FULL).min(1.0) * self.lacks(&error))
+            }
+            None => factor,
+        }
     }
 
     /// What a value of the run lacks, relative to it: in the mesh by the order of convergence, on meshes coarser than
@@ -89,7 +114,8 @@ mod tests {
     fn correction(law: &FrictionLaw, interference: f64, on: (usize, usize)) -> Correction<'_> {
         let (elements_per_radius, sectors) = (Some(on.0), Some(on.1));
         let resolution = Resolution::choose(&Numerics { accuracy: 0.02, elements_per_radius, sectors });
-        Correction { inception: InceptionCriterion::FullSlip, law, has_slid: true, interference, resolution }
+        let inception = InceptionCriterion::FullSlip;
+        Correction { inception, law, has_slid: true, interference, peclet: 0.0, resolution }
     }
 
     /// Relative change of a value.
@@ -157,6 +183,30 @@ mod tests {
         for quantity in [EnergyRelease, InceptionSlip] {
             assert!(is_corrected(quantity, InceptionCriterion::FullSlip, &STRENGTH));
             assert!(!is_corrected(quantity, InceptionCriterion::Stiffness, &STRENGTH), "{quantity:?}");
+        }
+    }
+
+    /// In proportion to small Péclet numbers, and constant at large ones; nothing but sliding inception of deep contacts.
+    #[test]
+    fn inception_at_high_peclet_numbers_is_corrected_further() {
+        let of = |quantity, interference, peclet| {
+            let at = |peclet| Correction { peclet, ..correction(&STRENGTH, interference, COARSE) };
+            at(peclet).factor(quantity) / at(0.0).factor(quantity) - 1.0
+        };
+        let exact = 0.5
+            * (at_high_peclet_number::STATIC_FRICTION.mesh[4]
+                + at_high_peclet_number::STATIC_FRICTION.angles[4]);
+        for quantity in [MuStatic, FrictionStatic] {
+            for (peclet, share) in [(50.0, 0.5), (100.0, 1.0), (1e3, 1.0)] {
+                assert!(
+                    (of(quantity, 1000.0, peclet) - share * exact).abs() < 1e-12,
+                    "{quantity:?} {peclet}"
+                );
+            }
+        }
+        assert!(of(InceptionSlip, 1000.0, 100.0) > 0.1 && of(EnergyRelease, 1000.0, 100.0) > 0.05);
+        for (quantity, interference) in [(Mu, 1000.0), (Load, 1000.0), (MuStatic, 100.0)] {
+            assert_eq!(of(quantity, interference, 100.0), 0.0, "{quantity:?}");
         }
     }
 
