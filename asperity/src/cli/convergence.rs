@@ -37,7 +37,7 @@ pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Resul
 fn as_json(sweep: &Convergence) -> Value {
     let limit = |quantity| {
         let Limit { value, uncertainty, order } = sweep.limit(quantity);
-        json!({ "limit": value, "doubt": uncertainty, "order": order })
+        json!({ "limit": value, "uncertainty": uncertainty, "order": order })
     };
     let run = |run: &Run| {
         let errors = |quantity| {

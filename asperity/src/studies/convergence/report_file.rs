@@ -54,7 +54,7 @@ pub fn write(
         file.reals(&format!("{name}_error"), &["run"], &estimates, &described(unit, &long_name))?;
         let scalars = [
             ("limit", unit, limit.value, "limit of fine meshes"),
-            ("limit_doubt", unit, limit.uncertainty, "distance of the limit from the finest run"),
+            ("limit_uncertainty", unit, limit.uncertainty, "distance of the limit from the finest run"),
             ("order", "1", limit.order.unwrap_or(f64::NAN), "observed order in the element size"),
         ];
         for (suffix, unit, value, long_name) in scalars {
