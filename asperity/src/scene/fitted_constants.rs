@@ -247,43 +247,43 @@ pub(crate) mod varying_counterface {
     pub const MEAN_RISE: f64 = 0.015;
 }
 
-/// Place of the contact edge between two rings of nodes, see `interface::contact_edge`.
+/// Position of the contact edge between two rings of nodes, see `interface::contact_edge`.
 ///
-/// - Fitted: the constants at bluntness 0 by linear least squares of ρ and γ, then the changes of ρ₁ and γ₀ to
-///   bluntness 1, then the shift by shear, by least squares of the places.
+/// - Fitted: the constants at bluntness 0 by linear least squares of y_p and y_g, then the changes of y_1 and y_2 to
+///   bluntness 1, then the shift by shear, by least squares of the positions.
 /// - Data: bluntness 0: 30 edges of Hertz on 6, 8 and 12 elements, anywhere between two rings. Changes: 12 edges of
 ///   presses without hardening and of 4340 steel at 5 and 50 ω_c on 8 elements against 32; 20 edges, at all angles, of
 ///   slides of four materials from 2 to 50 ω_c on 8 elements against 24. Shift: 320 edges, at all angles, of 16 slides from
 ///   0.15 to 20 ω_c on 6 to 16 elements against 30 to 48; the repetition takes 20 edges of five of them.
-/// - Side condition: the edge is continuous as a ring touches, as `first_place` does not depend on the bluntness.
+/// - Side condition: the edge is continuous as a ring touches, as x₀ does not depend on the bluntness.
 /// - Repeated by: `asperity calibrate`.
 /// - Residual: 0.009 ring spacings rms in elastic presses, 0.013 to 0.04 in plastic ones, 0.01 to 0.03 in slides from 2 to
 ///   20 ω_c (0.07 at 50 ω_c), 0.09 to 0.14 in slides from 0.35 to 1.2 ω_c.
 pub(crate) mod contact_edge {
     /// A constant at bluntness 0 and its change to bluntness 1.
-    pub type Blunt = [f64; 2];
+    pub type LinearInBluntness = [f64; 2];
 
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct EdgeConstants {
-        /// Place of the edge when the last ring touches, in ring spacings from that ring.
-        pub first_place: f64,
-        /// ρ₁: pressure ratio of the last two rings when the next ring touches.
-        pub full_load: Blunt,
-        /// p: curvature of ρ over the place of the edge.
-        pub load_curvature: f64,
-        /// γ₀: gap ratio of the next two rings when the last ring touches.
-        pub open_gap: Blunt,
-        /// q: curvature of γ.
+        /// x₀: position of the edge when the last ring touches, in ring spacings from that ring.
+        pub first_position: f64,
+        /// y_1: pressure ratio of the last two rings when the next ring touches.
+        pub largest_pressure_ratio: LinearInBluntness,
+        /// c_p: curvature of the pressure ratio over the position of the edge.
+        pub pressure_curvature: f64,
+        /// y_2: gap ratio of the next two rings when the last ring touches.
+        pub largest_gap_ratio: LinearInBluntness,
+        /// c_g: curvature of the gap ratio over the position of the edge.
         pub gap_curvature: f64,
-        /// c: shift of the edge by a shear traction that ends there, in ring spacings over shear/(K√h).
+        /// c_τ: shift of the edge by a shear traction that ends there, in ring spacings over |c_ν τ_r|/(K_g √h).
         pub shear_shift: f64,
     }
 
     pub const FITTED: EdgeConstants = EdgeConstants {
-        first_place: -0.272,
-        full_load: [0.624, 0.40],
-        load_curvature: 0.465,
-        open_gap: [0.692, 0.26],
+        first_position: -0.272,
+        largest_pressure_ratio: [0.624, 0.40],
+        pressure_curvature: 0.465,
+        largest_gap_ratio: [0.692, 0.26],
         gap_curvature: 0.397,
         shear_shift: 1.3,
     };

@@ -5,7 +5,7 @@ use crate::interface::contact_edge::EdgeRatios;
 use crate::scene::fitted_constants::contact_edge::FITTED;
 
 impl Contact {
-    /// Place of the edge of the trial state at each angle (see `interface::contact_edge`), in cells of the rings from the axis
+    /// Position of the edge of the trial state at each angle (see `interface::contact_edge`), in cells of the rings from the axis
     /// on; the cell of a ring extends half a spacing to both sides.
     pub fn trial_edges(&self) -> Vec<f64> {
         (0..self.columns).map(|j| self.trial_edge(j)).collect()
@@ -13,11 +13,11 @@ impl Contact {
 
     fn trial_edge(&self, j: usize) -> f64 {
         let Some(last) = self.last_ring(j) else { return self.radii.len() as f64 };
-        let place = self.edge_ratios(j).map_or(0.5, |ratios| FITTED.place(&ratios));
-        last as f64 + (0.5 + place).max(0.0)
+        let position = self.edge_ratios(j).map_or(0.5, |ratios| FITTED.position(&ratios));
+        last as f64 + (0.5 + position).max(0.0)
     }
 
-    /// What locates the edge of the trial state at an angle; nothing where the contact has no inner ring, or none beyond it.
+    /// The ratios that locate the edge of the trial state at an angle; none where the contact has no inner ring, or none beyond it.
     pub fn edge_ratios(&self, j: usize) -> Option<EdgeRatios> {
         let at = |ring: usize| ring * self.columns + j;
         let last = self.last_ring(j)?;
@@ -32,13 +32,13 @@ impl Contact {
         let inclination = if slips { self.shear_slope * self.trial[inner].traction[0] } else { 0.0 };
         let opens = rise > 0.0;
         Some(EdgeRatios {
-            load: if pressure > 0.0 { (self.trial[at(last)].pressure / pressure).min(1.0) } else { 1.0 },
+            pressure: if pressure > 0.0 { (self.trial[at(last)].pressure / pressure).min(1.0) } else { 1.0 },
             gap: if opens {
                 (gap / rise * spacing / (self.radii[last + 1] - self.radii[last])).clamp(0.0, 1.0)
             } else {
                 1.0
             },
-            shear: if opens { inclination * spacing / rise } else { 0.0 },
+            shear_slope: if opens { inclination * spacing / rise } else { 0.0 },
         })
     }
 
@@ -47,12 +47,12 @@ impl Contact {
         (0..self.radii.len()).rev().find(|&k| self.trial[k * self.columns + j].pressure > 0.0)
     }
 
-    /// Place of the edge at each angle: the sum of the contact fractions.
+    /// Position of the edge at each angle, in cells of the rings: the sum of the contact fractions.
     pub fn edges(&self) -> Vec<f64> {
         (0..self.columns).map(|j| self.contact_fraction.iter().skip(j).step_by(self.columns).sum()).collect()
     }
 
-    /// Contact fractions from the places of the edge, which lies in the cell of the last ring that touches or of the next
+    /// Contact fractions from the positions of the edge, which lies in the cell of the last ring that touches or of the next
     /// one.
     pub fn set_edges(&mut self, edges: &[f64]) {
         for (j, &edge) in edges.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The place of the contact edge between two rings of nodes from the pressures and gaps near it, see
+//! The position of the contact edge between two rings of nodes from the pressures and gaps near it, see
 //! `interface::contact_edge`.
 //!
 //! Elastic presses: edges at a of Hertz, moved over more than a ring spacing by the interference on a fixed mesh. Plastic
@@ -26,10 +26,10 @@ const SLIDES: [(&str, f64); 5] = [
 const LIGHT_SLIDES: [(&str, f64); 5] =
     [("copper", 0.35), ("titanium-6al4v", 0.5), ("steel-4340", 0.7), ("steel-304", 1.2), ("steel-4340", 2.0)];
 
-/// An edge whose place is known, in ring spacings from the last ring in contact.
+/// An edge whose position is known, in ring spacings from the last ring in contact.
 #[derive(Clone, Copy)]
 struct Edge {
-    place: f64,
+    position: f64,
     ratios: EdgeRatios,
 }
 
@@ -38,69 +38,72 @@ impl Edge {
     fn at(contact: &Contact, angle: usize, radius: f64) -> Option<Self> {
         let (last, ratios) = contact.last_ring(angle).zip(contact.edge_ratios(angle))?;
         let (inner, next) = (contact.radii[last], contact.radii[last + 1]);
-        Some(Self { place: (radius - inner) / (next - inner), ratios })
+        Some(Self { position: (radius - inner) / (next - inner), ratios })
     }
 }
 
-/// Misfit of ρ and γ at bluntness 0, rms.
+/// Misfit of the ratios y_p and y_g at bluntness 0, rms.
 fn misfit(constants: &EdgeConstants, edges: &[Edge]) -> f64 {
-    let EdgeConstants { first_place, full_load: [full, _], open_gap: [open, _], .. } = *constants;
-    let (p, q) = (constants.load_curvature, constants.gap_curvature);
+    let EdgeConstants {
+        first_position, largest_pressure_ratio: [y_1, _], largest_gap_ratio: [y_2, _], ..
+    } = *constants;
+    let (c_p, c_g) = (constants.pressure_curvature, constants.gap_curvature);
     let misfits = edges.iter().flat_map(|edge| {
-        let t = (edge.place - first_place).clamp(0.0, 1.0);
-        let load = full * ((1.0 + p) * t - p * t * t);
-        let gap = open * (1.0 - (1.0 - q) * t - q * t * t);
-        [load - edge.ratios.load, gap - edge.ratios.gap]
+        let zeta = (edge.position - first_position).clamp(0.0, 1.0);
+        let pressure = y_1 * ((1.0 + c_p) * zeta - c_p * zeta * zeta);
+        let gap = y_2 * (1.0 - (1.0 - c_g) * zeta - c_g * zeta * zeta);
+        [pressure - edge.ratios.pressure, gap - edge.ratios.gap]
     });
     rms(misfits.collect::<Vec<_>>().into_iter())
 }
 
-/// EdgeConstants of bluntness 0 for a given first place: the other four are linear.
-fn with_first_place(edges: &[Edge], first: f64) -> EdgeConstants {
+/// Constants of bluntness 0 for a given x₀: the other four are linear.
+fn with_first_position(edges: &[Edge], first: f64) -> EdgeConstants {
     let rows = |of: fn(f64, &Edge) -> [f64; 3]| -> Vec<[f64; 3]> {
-        edges.iter().map(|edge| of((edge.place - first).clamp(0.0, 1.0), edge)).collect()
+        edges.iter().map(|edge| of((edge.position - first).clamp(0.0, 1.0), edge)).collect()
     };
-    let [full, bent] = two_terms(&rows(|t, edge| [t, t - t * t, edge.ratios.load]));
-    let [open, bent_gap] = two_terms(&rows(|t, edge| [1.0 - t, t - t * t, edge.ratios.gap]));
+    let [y_1, pressure_term] =
+        two_terms(&rows(|zeta, edge| [zeta, zeta - zeta * zeta, edge.ratios.pressure]));
+    let [y_2, gap_term] = two_terms(&rows(|zeta, edge| [1.0 - zeta, zeta - zeta * zeta, edge.ratios.gap]));
     EdgeConstants {
-        first_place: first,
-        full_load: [full, 0.0],
-        load_curvature: bent / full,
-        open_gap: [open, 0.0],
-        gap_curvature: bent_gap / open,
+        first_position: first,
+        largest_pressure_ratio: [y_1, 0.0],
+        pressure_curvature: pressure_term / y_1,
+        largest_gap_ratio: [y_2, 0.0],
+        gap_curvature: gap_term / y_2,
         shear_shift: FITTED.shear_shift,
     }
 }
 
-/// EdgeConstants of bluntness 0; the first place by a scan in steps of 0.001.
+/// Constants of bluntness 0; x₀ by a scan in steps of 0.001.
 fn fit_elastic(edges: &[Edge]) -> EdgeConstants {
-    let scan = (0..=400).map(|step| with_first_place(edges, -0.5 + 1e-3 * f64::from(step)));
+    let scan = (0..=400).map(|step| with_first_position(edges, -0.5 + 1e-3 * f64::from(step)));
     scan.min_by(|a, b| misfit(a, edges).total_cmp(&misfit(b, edges))).expect("a scan has steps")
 }
 
-/// Error of the places by the constants, rms.
-fn error_of_places(constants: &EdgeConstants, edges: &[Edge]) -> f64 {
-    rms(edges.iter().map(|edge| constants.place(&edge.ratios) - edge.place))
+/// Error of the positions by the constants, rms.
+fn error_of_positions(constants: &EdgeConstants, edges: &[Edge]) -> f64 {
+    rms(edges.iter().map(|edge| constants.position(&edge.ratios) - edge.position))
 }
 
-/// Changes of ρ₁ and γ₀ to bluntness 1 by the smallest error of the places, in a scan in steps of 0.01.
+/// Changes of y_1 and y_2 to bluntness 1 by the smallest error of the positions, in a scan in steps of 0.01.
 fn fit_blunt(elastic: &EdgeConstants, edges: &[Edge]) -> EdgeConstants {
     let changes = |k: i32| 0.01 * f64::from(k);
-    let scan = (0..=60).flat_map(|load| (0..=40).map(move |gap| (changes(load), changes(gap))));
-    let changed = scan.map(|(load, gap)| EdgeConstants {
-        full_load: [elastic.full_load[0], load],
-        open_gap: [elastic.open_gap[0], gap],
+    let scan = (0..=60).flat_map(|pressure| (0..=40).map(move |gap| (changes(pressure), changes(gap))));
+    let changed = scan.map(|(pressure, gap)| EdgeConstants {
+        largest_pressure_ratio: [elastic.largest_pressure_ratio[0], pressure],
+        largest_gap_ratio: [elastic.largest_gap_ratio[0], gap],
         ..*elastic
     });
-    let error = |constants: &EdgeConstants| error_of_places(constants, edges);
+    let error = |constants: &EdgeConstants| error_of_positions(constants, edges);
     changed.min_by(|a, b| error(a).total_cmp(&error(b))).expect("a scan has steps")
 }
 
-/// The shift by shear, by least squares of the places.
+/// The shift c_τ by shear, by least squares of the positions.
 fn fit_shear(constants: &EdgeConstants, edges: &[Edge]) -> f64 {
     let row = |edge: &Edge| {
-        let place = constants.place_without_shear(&edge.ratios);
-        [shear_number(&edge.ratios, place), edge.place - place]
+        let position = constants.position_without_shear(&edge.ratios);
+        [shear_number(&edge.ratios, position), edge.position - position]
     };
     through_origin(&edges.iter().map(row).collect::<Vec<_>>())
 }
@@ -118,13 +121,13 @@ fn frictionless(material: Material, interference: f64) -> Scene {
 
 /// Edges of Hertz on 6, 8 and 12 elements, over 1.2 ring spacings of a/(3 n_c).
 fn elastic(watch: &dyn Watch) -> Result<Vec<Edge>, SimulationError> {
-    const PLACES: usize = 10;
+    const POSITIONS: usize = 10;
     let base = frictionless(plain_material(0.3), 0.3);
     let laid_out = Hertz::of(&base).contact_radius / base.radius;
     let mut edges = Vec::new();
     for elements in [6, 8, 12] {
-        for step in 0..PLACES {
-            let share = 0.4 / elements as f64 * (step as f64 / (PLACES - 1) as f64 - 0.5);
+        for step in 0..POSITIONS {
+            let share = 0.4 / elements as f64 * (step as f64 / (POSITIONS - 1) as f64 - 0.5);
             let scene = moved(&base, share);
             let contact = pressed(&scene, laid_out, elements, watch)?;
             edges.extend(Edge::at(&contact, 0, Hertz::of(&scene).contact_radius / scene.radius));
@@ -133,7 +136,7 @@ fn elastic(watch: &dyn Watch) -> Result<Vec<Edge>, SimulationError> {
     Ok(edges)
 }
 
-/// Edges on 8 elements, known from 32, at three places.
+/// Edges on 8 elements, known from 32, at three positions.
 fn plastic(material: &Material, interference: f64, watch: &dyn Watch) -> Result<Vec<Edge>, SimulationError> {
     let base = frictionless(material.clone(), interference);
     let radius = |contact: &Contact| contact.radius(&contact.committed);
@@ -160,7 +163,7 @@ fn radii_of_edge(contact: &Contact) -> Vec<f64> {
     contact.edges().into_iter().map(radius).collect()
 }
 
-/// Edges at all angles after a slide by `slip` contact radii on 8 elements, from those on a finer mesh: the place of an
+/// Edges at all angles after a slide by `slip` contact radii on 8 elements, from those on a finer mesh: the position of an
 /// edge is uncertain by a share of the ring spacing, so that its error is of first order.
 fn slid(
     (material, interference): (&str, f64),
@@ -176,8 +179,8 @@ fn slid(
     };
     let coarse = contact(COARSE)?;
     let share = 1.0 / (finer as f64 / COARSE as f64 - 1.0);
-    let places = radii_of_edge(&contact(finer)?).into_iter().zip(radii_of_edge(&coarse)).enumerate();
-    Ok(places
+    let pairs = radii_of_edge(&contact(finer)?).into_iter().zip(radii_of_edge(&coarse)).enumerate();
+    Ok(pairs
         .filter_map(|(angle, (fine, own))| Edge::at(&coarse, angle, fine + share * (fine - own)))
         .collect())
 }
@@ -226,12 +229,12 @@ pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
         fitted: of(&fitted),
     };
     let constants = vec![
-        constant("FIRST_PLACE", |c| c.first_place),
-        constant("FULL_LOAD", |c| c.full_load[0]),
-        constant("FULL_LOAD, change", |c| c.full_load[1]),
-        constant("OPEN_GAP", |c| c.open_gap[0]),
-        constant("OPEN_GAP, change", |c| c.open_gap[1]),
-        constant("LOAD_CURVATURE", |c| c.load_curvature),
+        constant("FIRST_POSITION", |c| c.first_position),
+        constant("LARGEST_PRESSURE_RATIO", |c| c.largest_pressure_ratio[0]),
+        constant("LARGEST_PRESSURE_RATIO, change", |c| c.largest_pressure_ratio[1]),
+        constant("LARGEST_GAP_RATIO", |c| c.largest_gap_ratio[0]),
+        constant("LARGEST_GAP_RATIO, change", |c| c.largest_gap_ratio[1]),
+        constant("PRESSURE_CURVATURE", |c| c.pressure_curvature),
         constant("GAP_CURVATURE", |c| c.gap_curvature),
         constant("SHEAR_SHIFT", |c| c.shear_shift),
     ];
@@ -244,16 +247,16 @@ pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
     groups.insert(0, ("elastic press".to_owned(), elastic));
     groups.extend(light);
     residuals.extend(groups.into_iter().map(|(name, edges)| Residual {
-        of: format!("place in ring spacings, {name}"),
+        of: format!("position in ring spacings, {name}"),
         points: edges.len(),
-        stored: error_of_places(&FITTED, &edges),
-        fitted: error_of_places(&fitted, &edges),
+        stored: error_of_positions(&FITTED, &edges),
+        fitted: error_of_positions(&fitted, &edges),
     }));
     Ok(Fit {
         name: "Contact edge",
         method: "Bluntness 0: least squares of the ratios of pressures and gaps of elastic presses on 6, 8 and 12 elements, \
-                 whose edges are Hertz's. Changes to bluntness 1: least squares of the places of edges of plastic presses \
-                 on 8 elements against 32 and of slides on 8 against 24. SHEAR_SHIFT: least squares of the places of edges \
+                 whose edges are Hertz's. Changes to bluntness 1: least squares of the positions of edges of plastic presses \
+                 on 8 elements against 32 and of slides on 8 against 24. SHEAR_SHIFT: least squares of the positions of edges \
                  of slides of light contacts on 8 elements against 32.",
         constants,
         residuals,
