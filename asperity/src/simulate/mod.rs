@@ -278,26 +278,27 @@ fn slide_in_pool(
     report::report(&runner, ladder, budget, stopped, wall_time)
 }
 
-/// One run without auxiliary runs, dimensionless.
+/// Increments of the press and states of the slide of one run, dimensionless.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
-pub struct Sample {
+pub struct RunHistory {
     pub press: Vec<Increment>,
-    pub history: Vec<SlideState>,
+    #[serde(rename = "history")]
+    pub slide: Vec<SlideState>,
 }
 
 /// One run at any resolution, without auxiliary runs: for studies of the effect of the resolution. Its
 /// mesh is laid out for the contact radius of the coarse press of the scene.
-pub(crate) fn sample(
+pub(crate) fn run_history(
     scene: &Scene,
     slip_rate: f64,
     resolution: &Resolution,
     watch: &dyn Watch,
-) -> Result<Sample, SimulationError> {
+) -> Result<RunHistory, SimulationError> {
     let run = run_alone(scene, slip_rate, resolution, watch)?;
-    Ok(Sample { press: run.press.increments.clone(), history: run.history })
+    Ok(RunHistory { press: run.press.increments.clone(), slide: run.history })
 }
 
-/// The contact at the end of such a run.
+/// The contact at the end of one run at any resolution, without auxiliary runs.
 pub(crate) fn contact_after_slide(
     scene: &Scene,
     slip_rate: f64,

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use super::accuracy::resolution::Resolution;
 use super::messages::{Note, Warning};
 use super::outcome::{ErrorSource, Outcome};
-use super::{SimulationError, Unwatched, Watch, derived, run_alone, sample, simulate};
+use super::{SimulationError, Unwatched, Watch, derived, run_alone, run_history, simulate};
 use crate::heat::expected::HeatEffect;
 use crate::loading::slide::SlideFailure;
 use crate::scene::tests::{of_preset, parse};
@@ -38,8 +38,8 @@ fn friction_of_a_light_contact_is_that_of_a_fine_mesh() {
         let mut scene = of_preset("steel-4340", &["model.kinematics=small", "loading.slip_distance=0.15"]);
         (scene.loading.interference, scene.loading.slip_rate) = (0.7, 0.0);
         (scene.numerics.elements_per_radius, scene.numerics.sectors) = (Some(elements), Some(4));
-        let slide = sample(&scene, 0.0, &Resolution::choose(&scene.numerics), &Unwatched).unwrap();
-        slide.history.last().unwrap().friction
+        let run = run_history(&scene, 0.0, &Resolution::choose(&scene.numerics), &Unwatched).unwrap();
+        run.slide.last().unwrap().friction
     };
     let change = friction(8) / friction(24) - 1.0;
     assert!(change.abs() < 5e-3, "{change}");

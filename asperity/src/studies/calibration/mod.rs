@@ -13,7 +13,7 @@ use crate::loading::problem::Problem;
 use crate::loading::state::SlideState;
 use crate::scene::{Numerics, Scene};
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::{SimulationError, Watch, press_error, sample};
+use crate::simulate::{SimulationError, Watch, press_error, run_history};
 
 /// A constant, as stored and as fitted anew.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,7 +93,7 @@ fn pressed(
 
 /// First and last state of one slide at the resolution of the scene.
 fn slid(scene: &Scene, slip_rate: f64, watch: &dyn Watch) -> Result<[SlideState; 2], SimulationError> {
-    let history = sample(scene, slip_rate, &Resolution::choose(&scene.numerics), watch)?.history;
+    let history = run_history(scene, slip_rate, &Resolution::choose(&scene.numerics), watch)?.slide;
     Ok([history[0], history[history.len() - 1]])
 }
 

@@ -25,7 +25,7 @@ pub use report::{Judged, QuantityReport, Report};
 
 use crate::output::journal_file::{JournalFile, decode};
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::{Watch, pools, sample, simulate};
+use crate::simulate::{Watch, pools, run_history, simulate};
 
 /// What a run of the study is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, Serialize)]
@@ -71,8 +71,8 @@ impl Role {
                 simulate(&definition, watch).map(|outcome| record.reported = Some(reported(outcome)))
             }
             // Each presses for itself, so that no run waits for the mesh of another.
-            Some(resolution) => sample(&definition, definition.loading.slip_rate, &resolution, watch)
-                .map(|sample| record.sample = Some(sample)),
+            Some(resolution) => run_history(&definition, definition.loading.slip_rate, &resolution, watch)
+                .map(|history| record.run_history = Some(history)),
         };
         record.failure = failure.err().map(|error| error.to_string());
         record.wall_time = begun.elapsed().as_secs_f64();

@@ -6,7 +6,7 @@ use tables::quantity::Quantity;
 
 use super::Role;
 use crate::output::provenance::FINGERPRINT;
-use crate::simulate::Sample;
+use crate::simulate::RunHistory;
 use crate::simulate::outcome::{ErrorSource, Outcome};
 
 /// One run.
@@ -19,8 +19,9 @@ pub struct Record {
     pub fingerprint: String,
     /// s, of this run alone on one thread.
     pub wall_time: f64,
-    /// Of a single run.
-    pub sample: Option<Sample>,
+    /// Of a run without error estimates.
+    #[serde(rename = "sample")]
+    pub run_history: Option<RunHistory>,
     /// Of a run with error estimates.
     pub reported: Option<Reported>,
     /// Why there is no result.
@@ -30,7 +31,7 @@ pub struct Record {
 impl Record {
     pub fn new(scene: usize, role: Role) -> Self {
         let fingerprint = FINGERPRINT.to_owned();
-        Self { scene, role, fingerprint, wall_time: 0.0, sample: None, reported: None, failure: None }
+        Self { scene, role, fingerprint, wall_time: 0.0, run_history: None, reported: None, failure: None }
     }
 }
 

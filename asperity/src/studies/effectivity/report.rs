@@ -146,8 +146,8 @@ fn judge(scene: usize, records: &HashMap<Role, &Record>) -> Result<Vec<Judged>, 
     let scene = study.scene();
     let problem = Problem::new(&scene);
     let values = |role: Role| {
-        let sample = records.get(&role).and_then(|record| record.sample.as_ref()).ok_or(role)?;
-        Ok(Values::new(&problem, &sample.press, &sample.history))
+        let run = records.get(&role).and_then(|record| record.run_history.as_ref()).ok_or(role)?;
+        Ok(Values::new(&problem, &run.press, &run.slide))
     };
     let reported: &Reported =
         records.get(&Role::Reported).and_then(|record| record.reported.as_ref()).ok_or(Role::Reported)?;
