@@ -17,8 +17,9 @@ pub struct SlideState {
     pub interference: f64,
     pub time: f64,
     pub friction: f64,
-    /// Λ − 1, growth of the strength of the interface with the rate at which the contact slips.
-    pub rate_growth: f64,
+    /// Λ − 1: relative increase of the strength of the interface by the rate at which the contact slips.
+    #[serde(rename = "rate_growth")]
+    pub rate_strengthening: f64,
     pub load: f64,
     pub area: f64,
     pub stick_fraction: f64,

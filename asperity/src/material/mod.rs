@@ -188,18 +188,18 @@ impl Solid {
         }
     }
 
-    /// Growth of the strength of an interface that slips at V (m/s) on a contact of radius a (m): at the strain rate
+    /// Λ, factor of the strength of an interface that slips at V (m/s) on a contact of radius a (m): at the strain rate
     /// V/a, or the reference without contact.
     pub fn interface_rate_factor(&self, slip_rate: f64, contact_radius: f64) -> f64 {
         if contact_radius > 0.0 { self.rate.factor(slip_rate / contact_radius) } else { 1.0 }
     }
 
-    /// Its relative change with the logarithm of the slip rate.
+    /// d ln Λ/d ln V of an interface that slips at V (m/s) on a contact of radius a (m).
     pub fn interface_rate_sensitivity(&self, slip_rate: f64, contact_radius: f64) -> f64 {
         if contact_radius > 0.0 { self.rate.sensitivity(slip_rate / contact_radius) } else { 0.0 }
     }
 
-    /// Growth of the yield strength with plastic strain: σ_y(ε_p, T)/σ_y(0, T).
+    /// Factor of the yield strength by plastic strain: σ_y(ε_p, T)/σ_y(0, T).
     pub fn hardening_factor(&self, strain: f64) -> f64 {
         self.hardened(strain).0
     }

@@ -114,9 +114,9 @@ impl Solid {
     ) -> (Lanes<W>, Lanes<W>) {
         let (strength, slope) = self.hardened_lanes(&lanes(|l| strain[l] + increment[l]));
         let Some(rate) = rate else { return (strength, slope) };
-        let (factor, growth) = rate.factors(increment);
+        let (factor, factor_slope) = rate.factors(increment);
         let rated = lanes(|l| factor[l] * strength[l]);
-        (rated, lanes(|l| factor[l] * slope[l] + growth[l] * strength[l]))
+        (rated, lanes(|l| factor[l] * slope[l] + factor_slope[l] * strength[l]))
     }
 
     #[inline(always)]

@@ -1,4 +1,4 @@
-//! Growth of the strength with the strain rate over a step of time.
+//! Λ, factor of the strength by the strain rate, over a step of time.
 
 use super::Solid;
 use crate::material::lanes::{Lanes, lanes, logarithms};

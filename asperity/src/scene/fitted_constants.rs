@@ -6,7 +6,7 @@
 
 /// Plastic strain that a slide adds to that of the press, see `simulate::strain`.
 ///
-/// - Fitted: ADDED (1 + ω₀/ω_c)^GROWTH (2f − 1)³ over the yield strain σ_Y/E, as an upper bound, with f the shear
+/// - Fitted: ADDED (1 + ω₀/ω_c)^EXPONENT (2f − 1)³ over the yield strain σ_Y/E, as an upper bound, with f the shear
 ///   strength of the interface over that of the body.
 /// - Data: 60 slides by two contact radii at V = 0, 0.05 to 5 ω_c, f = 0.2 to 1, five presets, 6 elements; sixteen of
 ///   them are in the test of the formula.
@@ -14,7 +14,7 @@
 /// - Repeated by: `asperity calibrate`, the sixteen.
 pub(crate) mod plastic_strain_of_slide {
     pub const ADDED: f64 = 0.8;
-    pub const GROWTH: f64 = 1.1;
+    pub const EXPONENT: f64 = 1.1;
 }
 
 /// Effect of heat on the load, see `heat::expected`.

@@ -89,7 +89,7 @@ impl Softening {
     }
 }
 
-/// Growth of the yield strength with the equivalent plastic strain rate, as a factor.
+/// Λ, factor of the yield strength by the equivalent plastic strain rate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "law", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Rate {

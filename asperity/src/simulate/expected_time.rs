@@ -83,7 +83,7 @@ pub fn time_of(newton: usize, unknowns: usize) -> f64 {
 pub fn time_ratio(finer: &Resolution, now: &Resolution) -> f64 {
     let elements = finer.elements_per_radius as f64 / now.elements_per_radius as f64;
     let sectors = finer.sectors as f64 / now.sectors as f64;
-    elements.powf(MESH_POWER) * sectors * now.growth / finer.growth
+    elements.powf(MESH_POWER) * sectors * now.increment_growth / finer.increment_growth
 }
 
 /// Whether the body yields, does not harden, and is no stronger than the interface; decided again after the press.

@@ -100,7 +100,7 @@ pub fn outcome(scene: &Scene) -> Outcome {
         }],
         body: None,
         account: Account {
-            notes: vec![Note::Remeshed { growth: 2.0, room: 3.0 }],
+            notes: vec![Note::Remeshed { radius_ratio: 2.0, room: 3.0 }],
             warnings: vec![Warning::ErrorsUnknown, Warning::NotSliding],
             ..Account::default()
         },

@@ -88,10 +88,10 @@ impl Run {
         self.timings.total() - self.timings.of(Kernel::Press)
     }
 
-    /// Growth of the contact, relative to its radius after the press, at which it left the mesh.
+    /// Contact radius over that after the press at which the contact left the fine mesh.
     pub fn outgrown(&self) -> Option<f64> {
         match self.failure {
-            Some(SlideFailure::OutgrewMesh { growth }) => Some(growth),
+            Some(SlideFailure::OutgrewMesh { radius_ratio }) => Some(radius_ratio),
             _ => None,
         }
     }

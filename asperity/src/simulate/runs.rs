@@ -64,7 +64,7 @@ impl<'a> Runner<'a> {
     pub fn ladder(&self) -> Result<Ladder, SimulationError> {
         let mut ladder = self.runs_from(self.pressed.resolution)?;
         let mut notes = Vec::new();
-        while let Some((growth, wider)) =
+        while let Some((radius_ratio, wider)) =
             self.wider(&ladder.start, ladder.auxiliary.iter().chain(&ladder.main))
         {
             match self.runs_from(wider) {
@@ -77,7 +77,7 @@ impl<'a> Runner<'a> {
                     break;
                 }
             }
-            notes.push(Note::Remeshed { growth, room: wider.growth_zone });
+            notes.push(Note::Remeshed { radius_ratio, room: wider.growth_zone });
         }
         ladder.notes = notes;
         Ok(ladder)
@@ -187,16 +187,16 @@ impl<'a> Runner<'a> {
         start.refine_other_than_mesh(&self.pressed.numerics, &parts)
     }
 
-    /// The growth by which one of the runs has outgrown its mesh, and a resolution with more room, if the hemisphere has
+    /// The contact radius over that after the press at which one of the runs left its mesh, and a resolution with more room, if the hemisphere has
     /// it.
     fn wider<'r>(
         &self,
         resolution: &Resolution,
         runs: impl Iterator<Item = &'r Run>,
     ) -> Option<(f64, Resolution)> {
-        let growth = runs.filter_map(Run::outgrown).fold(0.0, f64::max);
+        let radius_ratio = runs.filter_map(Run::outgrown).fold(0.0, f64::max);
         let wider = resolution.wider();
-        (growth > 0.0 && self.conditions.fits(&wider)).then_some((growth, wider))
+        (radius_ratio > 0.0 && self.conditions.fits(&wider)).then_some((radius_ratio, wider))
     }
 
     fn presses(&self) -> MutexGuard<'_, Vec<Arc<PressedMesh>>> {

@@ -133,7 +133,7 @@ impl Conditions<'_> {
                 Some(conduction.with_counterface(problem.counterface.clone()))
             }
         };
-        let mut slide = Slide::new(problem, mechanics, heat, resolution.growth);
+        let mut slide = Slide::new(problem, mechanics, heat, resolution.increment_growth);
         slide.inception_width = inception_width(self.softening_at_inception());
         slide.shears_without_limit = self.pressed.shears_without_limit;
         Ok(slide)

@@ -13,7 +13,7 @@ use crate::interface::friction_law::{ContactPoint, shear_limit};
 use crate::loading::problem::Problem;
 use crate::material::SHEAR_RATIO;
 use crate::scene::Scene;
-use crate::scene::fitted_constants::plastic_strain_of_slide::{ADDED, GROWTH};
+use crate::scene::fitted_constants::plastic_strain_of_slide::{ADDED, EXPONENT};
 use crate::simulate::messages::StrainChoice;
 
 /// Plastic strain over the required accuracy up to which strain is taken to be small. At twice or four times this a
@@ -47,7 +47,7 @@ pub fn shears_without_limit(scene: &Scene, problem: &Problem, body: &Body, conta
 
 /// Plastic strain that a slide adds to that of the press, over the yield strain.
 fn added_by_slide(strength_ratio: f64, interference: f64) -> f64 {
-    ADDED * (1.0 + interference).powf(GROWTH) * (2.0 * strength_ratio - 1.0).max(0.0).powi(3)
+    ADDED * (1.0 + interference).powf(EXPONENT) * (2.0 * strength_ratio - 1.0).max(0.0).powi(3)
 }
 
 /// Largest shear traction that the interface transmits in the slide, over the shear strength of the

@@ -83,7 +83,7 @@ impl Kernels {
         let mechanics =
             discretisation.revolve(&problem, (&body, &contact, &displacement), resolution.tolerance);
         let mesh = discretisation.mesh;
-        let mut slide = Slide::new(&problem, mechanics, None, resolution.growth);
+        let mut slide = Slide::new(&problem, mechanics, None, resolution.increment_growth);
         let motion = Motion::Slip { slip_rate: 0.0, speed: 0.0, distance: distance * radius };
         slide.run(&[motion], &|| false, |_, _| {}).expect("a slide that works");
         let steps = slide.history.len() - 1;

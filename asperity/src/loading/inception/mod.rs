@@ -96,7 +96,7 @@ pub fn sudden_fall(history: &[SlideState]) -> Option<usize> {
     // Heat changes friction with the root of time, so that any step begins with a fast fall, by little.
     let mut fallen = 0.0;
     let is_sudden = |pair: &&[SlideState]| {
-        let friction = [0, 1].map(|n| pair[n].friction / (1.0 + pair[n].rate_growth));
+        let friction = [0, 1].map(|n| pair[n].friction / (1.0 + pair[n].rate_strengthening));
         let (slip, fall) = (pair[1].slip - pair[0].slip, friction[0] - friction[1]);
         let resists = pair[0].friction * slip > 0.0;
         let is_fast = pair[1].step > 0 && resists && fall * slip.signum() > stiffness * slip.abs();

@@ -215,8 +215,8 @@ fn a_sudden_fall_of_a_later_step_is_noticed() {
     assert_eq!(sudden_fall(&history([(1.995, 0.96), (1.0, -0.9)], 1)), None);
     // As the slip rate falls.
     let mut slower = history([(2.005, 0.96), (2.01, 0.9)], 1);
-    let growths = [0.0, 0.2, 0.2, 0.15, 0.08];
-    slower.iter_mut().zip(growths).for_each(|(state, growth)| state.rate_growth = growth);
+    let strengthening = [0.0, 0.2, 0.2, 0.15, 0.08];
+    slower.iter_mut().zip(strengthening).for_each(|(state, value)| state.rate_strengthening = value);
     assert_eq!(sudden_fall(&slower), None);
     // After the reversal friction resists the other way, and falls there.
     let back = [(0, 0.0, 0.0), (0, 0.1, 0.1), (0, 2.0, 1.0), (1, 0.0, -1.0), (2, -0.01, -0.9)].map(at);

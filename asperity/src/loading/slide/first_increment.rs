@@ -9,7 +9,7 @@ use crate::material::SHEAR_RATIO;
 impl Slide<'_> {
     /// Step control of the present motion.
     pub(super) fn step_control(&self) -> StepControl {
-        StepControl::new(self.motion.length(), self.scale(), self.growth, self.inception_width)
+        StepControl::new(self.motion.length(), self.scale(), self.increment_growth, self.inception_width)
     }
 
     /// Scale of the first increments of the present motion: the elastic displacement at gross slip, what is passed in a share

@@ -1,7 +1,7 @@
 //! Step control: lengths of the increments of a slide, their predictor, and the bracket of sliding
 //! inception.
 //!
-//! An increment is at most a share of the slip so far, in proportion to `growth`, and while the stick area falls at most a
+//! An increment is at most a share of the slip so far, in proportion to Γ (`increment_growth`), and while the stick area falls at most a
 //! share of the way to where it will vanish: in a long increment the points that begin to slip are not as hot as at its end,
 //! and the others stick too long. The increment in which sliding begins is halved until the states before and after
 //! inception are close; then the increments before it are taken up again.
@@ -13,16 +13,16 @@ const FIRST_INCREMENT: f64 = 0.05;
 /// Number of increments at least, for [`REFERENCE_GROWTH`]. With 12 instead of 24 of them μ changes by at most
 /// 0.48 % in slides between 10 and 100 ω_c.
 const LEAST_INCREMENTS: f64 = 16.0;
-/// Growth of the increments that the numbers above are for.
+/// Γ that the numbers above are for.
 const REFERENCE_GROWTH: f64 = 0.15;
-/// Growth of the increments while points stick. With this, [`FIRST_INCREMENT`] and [`APPROACH`] G is 0.5 % (mean size; nine of
+/// Largest increment over the slip so far, over Γ, while points stick. With this, [`FIRST_INCREMENT`] and [`APPROACH`] G is 0.5 % (mean size; nine of
 /// ten 1.2 %) from its value in increments a quarter as long, in the 85 slides of the study of effectivity.
 const WHILE_STICKING: f64 = 0.7;
 /// Largest part of the way to sliding inception, as the fall of the stick area foretells it, that an increment takes, for
-/// a growth of twice [`REFERENCE_GROWTH`]. Without it the reported error of G of aluminium at 0.19 ω_c and 3 m/s on 30 elements
+/// a Γ of twice [`REFERENCE_GROWTH`]. Without it the reported error of G of aluminium at 0.19 ω_c and 3 m/s on 30 elements
 /// per contact radius is 2.9 % in place of 1.0 %, and G 0.2 % smaller.
 const APPROACH: f64 = 0.5;
-/// Growth of the increments once the contact slides. The effect is less than 0.08 % on friction and
+/// Largest increment over the slip so far, over Γ, once the contact slides. The effect is less than 0.08 % on friction and
 /// 0.02 % on the temperature rise in slides between 0.1 and 100 ω_c.
 const WHILE_SLIDING: f64 = 2.0;
 /// Width of the increment in which sliding begins, relative to the slip, of an interface that does not soften before. In
@@ -79,7 +79,7 @@ pub struct StepControl {
     distance: f64,
     /// Characteristic length of the motion, in a hold a time (`Slide::scale`).
     scale: f64,
-    growth: f64,
+    increment_growth: f64,
     /// Of the increments while the contact sticks.
     least: f64,
     /// Shortest increment in which sliding inception is bracketed.
@@ -98,15 +98,15 @@ pub struct StepControl {
 }
 
 impl StepControl {
-    pub fn new(distance: f64, scale: f64, growth: f64, inception_width: f64) -> Self {
-        let least = FIRST_INCREMENT * growth / REFERENCE_GROWTH * scale;
+    pub fn new(distance: f64, scale: f64, increment_growth: f64, inception_width: f64) -> Self {
+        let least = FIRST_INCREMENT * increment_growth / REFERENCE_GROWTH * scale;
         let advance = least.min(distance / LEAST_INCREMENTS);
         let finest = (0.1 * least).min(0.1 * advance);
         let (attempted, usual) = (advance, advance);
         Self {
             distance,
             scale,
-            growth,
+            increment_growth,
             least,
             finest,
             inception_width,
@@ -159,10 +159,10 @@ impl StepControl {
         self.advance = match &self.bracket {
             Some(bracket) => self.bisect(slip, bracket),
             None => {
-                let growth = self.growth * if slides { WHILE_SLIDING } else { WHILE_STICKING };
+                let growth = self.increment_growth * if slides { WHILE_SLIDING } else { WHILE_STICKING };
                 let most = (growth * slip)
                     .max(self.least)
-                    .min(self.distance / LEAST_INCREMENTS * self.growth / REFERENCE_GROWTH);
+                    .min(self.distance / LEAST_INCREMENTS * self.increment_growth / REFERENCE_GROWTH);
                 let usual = (2.0 * self.advance.max(self.usual)).min(most);
                 if slides { usual } else { usual.min(approach) }
             }
@@ -177,7 +177,7 @@ impl StepControl {
             return f64::INFINITY;
         }
         let left = stick_fraction * (slip - slip_before) / fallen;
-        let part = (APPROACH * self.growth / (2.0 * REFERENCE_GROWTH)).min(1.0);
+        let part = (APPROACH * self.increment_growth / (2.0 * REFERENCE_GROWTH)).min(1.0);
         (part * left).max(self.inception_width * slip).max(self.finest)
     }
 

@@ -47,8 +47,8 @@ pub enum SlideFailure {
     Heat(#[from] HeatError),
     #[error("{0}")]
     Step(StepFailure),
-    #[error("the contact grew past the fine mesh, to {growth:.2} times its radius after the press")]
-    OutgrewMesh { growth: f64 },
+    #[error("the contact grew past the fine mesh, to {radius_ratio:.2} times its radius after the press")]
+    OutgrewMesh { radius_ratio: f64 },
     #[error(
         "the body shears in place of the interface: {:.0} % of the contact stick, and the elements below \
          have a plastic strain of {strain:.2}, beyond which the result depends on the mesh. Sliding requires \
@@ -130,7 +130,7 @@ pub struct Slide<'a> {
     pub most_failures: usize,
     /// Largest increment relative to the slip so far, times [`increments::WHILE_STICKING`] or
     /// [`increments::WHILE_SLIDING`].
-    growth: f64,
+    increment_growth: f64,
     /// Width of the increment in which sliding begins, relative to the slip.
     pub inception_width: f64,
     /// Whether the body may shear without limit below the interface: then an increment that fails when the elements are
@@ -143,7 +143,12 @@ pub struct Slide<'a> {
 
 impl<'a> Slide<'a> {
     /// A slide from the pressed state `mechanics`; with heat if a conduction solver is given.
-    pub fn new(problem: &'a Problem, mechanics: Mechanics, heat: Option<Conduction>, growth: f64) -> Self {
+    pub fn new(
+        problem: &'a Problem,
+        mechanics: Mechanics,
+        heat: Option<Conduction>,
+        increment_growth: f64,
+    ) -> Self {
         let mut slide = Self {
             interference: problem.interference,
             control: LoadingControl::Interference,
@@ -161,7 +166,7 @@ impl<'a> Slide<'a> {
             recorder: Recorder::default(),
             cutbacks: 0,
             most_failures: MOST_FAILURES,
-            growth,
+            increment_growth,
             inception_width: increments::INCEPTION_WIDTH,
             shears_without_limit: false,
             #[cfg(test)]
@@ -238,7 +243,7 @@ impl<'a> Slide<'a> {
             }
         }
         let mut state = SlideState { step, ..self.next_state(advance.dt, &equilibrium) };
-        state.rate_growth = self.rate_factor(advance.slip_rate, state.area) - 1.0;
+        state.rate_strengthening = self.rate_factor(advance.slip_rate, state.area) - 1.0;
         self.check(&state, &equilibrium)?;
         let begins = !self.has_begun && state.slides();
         // A contact without stick after the press, or with full slip in the first increment, has its inception at s =
@@ -266,8 +271,8 @@ impl<'a> Slide<'a> {
         invariants::check(self.problem, self.elastic_of_press, self.last(), state, rise)?;
         let contact = &self.mechanics.contact;
         if contact.at_rim(&contact.trial) {
-            let growth = contact.radius(&contact.trial) / self.history[0].radius();
-            return Err(SlideFailure::OutgrewMesh { growth });
+            let radius_ratio = contact.radius(&contact.trial) / self.history[0].radius();
+            return Err(SlideFailure::OutgrewMesh { radius_ratio });
         }
         Ok(())
     }

@@ -69,7 +69,7 @@ impl Slide<'_> {
         }
     }
 
-    /// Λ, growth of the strength of the interface at a slip rate (m/s) of a contact of area `area`.
+    /// Λ, factor of the strength of the interface by the rate law at a slip rate (m/s) of a contact of area `area`.
     pub(super) fn rate_factor(&self, slip_rate: f64, area: f64) -> f64 {
         let radius = (area / PI).sqrt() * self.problem.units.length;
         self.problem.solid.interface_rate_factor(slip_rate, radius)

@@ -250,24 +250,24 @@ fn increments_resolve_the_fall_of_the_slip_rate() {
         distance: share * problem.expected_contact_radius(),
     };
     let hold = Motion::Hold { time: 1e-6 };
-    let growths = |motions: &[Motion], is_hot: bool| -> Vec<f64> {
+    let strengthening = |motions: &[Motion], is_hot: bool| -> Vec<f64> {
         let mut slide = ready(&problem);
         slide.heat = slide.heat.filter(|_| is_hot);
         run(&mut slide, motions).unwrap();
         let before = slide.history.iter().rposition(|state| state.step + 1 < motions.len()).unwrap();
-        slide.history[before..].iter().map(|state| state.rate_growth).collect()
+        slide.history[before..].iter().map(|state| state.rate_strengthening).collect()
     };
     for (second, least, is_hot) in [
         (slip(0.01, 0.05), SENSITIVITY * 100f64.ln(), true),
         (slip(0.01, 0.05), SENSITIVITY * 100f64.ln(), false),
         (hold, SENSITIVITY * 2f64.ln(), true),
     ] {
-        let growths = growths(&[slip(1.0, 0.1), second], is_hot);
-        let falls: Vec<f64> = growths.windows(2).map(|pair| pair[0] - pair[1]).collect();
-        assert!(falls.iter().all(|fall| *fall < SENSITIVITY), "{growths:?}");
-        assert!(falls.iter().sum::<f64>() > 0.99 * least, "{growths:?}");
+        let strengthening = strengthening(&[slip(1.0, 0.1), second], is_hot);
+        let falls: Vec<f64> = strengthening.windows(2).map(|pair| pair[0] - pair[1]).collect();
+        assert!(falls.iter().all(|fall| *fall < SENSITIVITY), "{strengthening:?}");
+        assert!(falls.iter().sum::<f64>() > 0.99 * least, "{strengthening:?}");
     }
-    let reversed = growths(&[slip(1.0, 0.1), hold, slip(-1e-4, 0.05)], true);
+    let reversed = strengthening(&[slip(1.0, 0.1), hold, slip(-1e-4, 0.05)], true);
     assert!((reversed[1] - reversed[reversed.len() - 1]).abs() < 0.1 * SENSITIVITY, "{reversed:?}");
 }
 

@@ -9,7 +9,7 @@ use crate::loading::NEWTON_TOLERANCE;
 use crate::scene::Numerics;
 use crate::simulate::accuracy::scatter::scatter;
 
-/// Increments of the press times the growth of those of the slide. From growths of 0.3 to 0.6 friction changes by 0.03
+/// Increments of the press times Γ, the growth of those of the slide. From Γ = 0.3 to 0.6 friction changes by 0.03
 /// and 0.06 per cent at 2 and 20 omega_c, and by 0.15 to 0.3 at 50 and 100 (8 elements, slip rate 0).
 const PRESS_INCREMENTS: f64 = 18.0;
 /// Finest resolution chosen by an accuracy.
@@ -60,7 +60,7 @@ pub struct Resolution {
     /// How often the layer at the surface is halved, see [`thermal_layer_refinements`].
     pub thermal_layer_refinements: u32,
     /// Γ, growth of the increments of the slide; those of the press follow from it.
-    pub growth: f64,
+    pub increment_growth: f64,
     /// Relative residual at which a step counts as solved.
     pub tolerance: f64,
 }
@@ -72,13 +72,13 @@ impl Resolution {
         let from_accuracy = (10.0 * (0.02 / accuracy).powf(0.6)).round() as usize;
         let from_accuracy = from_accuracy.clamp(6, 32).next_multiple_of(2);
         let sectors = numerics.sectors.unwrap_or(if accuracy >= 0.01 { 4 } else { 8 });
-        let growth = 0.3 * (accuracy / 0.02).sqrt().clamp(0.3, 1.5);
+        let increment_growth = 0.3 * (accuracy / 0.02).sqrt().clamp(0.3, 1.5);
         Self {
             elements_per_radius: numerics.elements_per_radius.unwrap_or(from_accuracy),
             sectors,
             growth_zone: GROWTH_ZONE,
             thermal_layer_refinements: 0,
-            growth,
+            increment_growth,
             tolerance: NEWTON_TOLERANCE,
         }
     }
@@ -103,7 +103,7 @@ impl Resolution {
     }
 
     pub fn press_increments(&self) -> usize {
-        (PRESS_INCREMENTS / self.growth).round() as usize
+        (PRESS_INCREMENTS / self.increment_growth).round() as usize
     }
 
     /// Of a mesh that is laid out for a contact radius, over R.
@@ -148,7 +148,7 @@ impl Resolution {
 
     /// The same in increments twice as large.
     pub fn longer_steps(&self) -> Self {
-        Self { growth: 2.0 * self.growth, ..*self }
+        Self { increment_growth: 2.0 * self.increment_growth, ..*self }
     }
 
     /// The same solved less exactly.
@@ -163,7 +163,7 @@ impl Resolution {
 
     /// The same in increments of press and slide `factor` times shorter.
     pub fn shorter_steps(&self, factor: usize) -> Self {
-        Self { growth: self.growth / factor as f64, ..*self }
+        Self { increment_growth: self.increment_growth / factor as f64, ..*self }
     }
 
     /// Whether `next` is finer than it in a direction in which it is finer than `before`: what a refinement of the angles gained
@@ -177,7 +177,7 @@ impl Resolution {
         [
             self.elements_per_radius > than.elements_per_radius,
             self.sectors > than.sectors,
-            self.growth < than.growth,
+            self.increment_growth < than.increment_growth,
         ]
     }
 
@@ -197,8 +197,8 @@ impl Resolution {
         if parts.sectors > most && numerics.sectors.is_none() && self.sectors < MOST_SECTORS {
             finer.sectors *= 2;
         }
-        if parts.steps > most && self.growth > LEAST_GROWTH {
-            finer.growth *= 0.5;
+        if parts.steps > most && self.increment_growth > LEAST_GROWTH {
+            finer.increment_growth *= 0.5;
         }
         finer
     }
@@ -213,7 +213,7 @@ impl Resolution {
         let finer = self.refine_above(MOST_OF_STEPS * accuracy, numerics, parts);
         let after = RelativeParts {
             sectors: parts.sectors * (self.sectors as f64 / finer.sectors as f64).powi(2),
-            steps: parts.steps * (finer.growth / self.growth),
+            steps: parts.steps * (finer.increment_growth / self.increment_growth),
             ..*parts
         };
         let mut elements = self.elements_per_radius;
@@ -340,11 +340,11 @@ mod tests {
         assert!(with(0.01, 0.005, 0.004).is_none());
         let finer = with(0.04, 0.0, 0.0).unwrap();
         assert!(finer.elements_per_radius as f64 >= run.elements_per_radius as f64 * 2.0);
-        assert_eq!((finer.sectors, finer.growth), (run.sectors, run.growth));
+        assert_eq!((finer.sectors, finer.increment_growth), (run.sectors, run.increment_growth));
         let finer = with(0.0, 0.03, 0.0).unwrap();
         assert_eq!((finer.sectors, finer.elements_per_radius), (2 * run.sectors, run.elements_per_radius));
         let finer = with(0.0, 0.0, 0.03).unwrap();
-        assert_eq!((finer.growth, finer.sectors), (0.5 * run.growth, run.sectors));
+        assert_eq!((finer.increment_growth, finer.sectors), (0.5 * run.increment_growth, run.sectors));
         // What the scene fixes stays.
         let fixed = Numerics { elements_per_radius: Some(8), ..NUMERICS };
         let run = Resolution::choose(&fixed);

@@ -21,7 +21,7 @@ pub use warning::Warning;
 pub enum Note {
     #[error(
         "{} elements per contact radius, {} angles over the half circle, slip increments of {:.0} % of the slip",
-        .0.elements_per_radius, .0.sectors, 100.0 * .0.growth
+        .0.elements_per_radius, .0.sectors, 100.0 * .0.increment_growth
     )]
     Resolution(Resolution),
     #[error("heat is {}", heat_in_words(.0, .1))]
@@ -90,11 +90,11 @@ pub enum Note {
     RefinementFailed { elements: usize, sectors: usize, cause: String },
     /// The run was repeated on a mesh with more room.
     #[error(
-        "repeated: the contact grew to {growth:.2} times its radius after the press, past the fine mesh, which now has room for {room:.2} times"
+        "repeated: the contact grew to {radius_ratio:.2} times its radius after the press, past the fine mesh, which now has room for {room:.2} times"
     )]
     Remeshed {
         /// Contact radius over that after the press.
-        growth: f64,
+        radius_ratio: f64,
         /// The same that the mesh has room for.
         room: f64,
     },

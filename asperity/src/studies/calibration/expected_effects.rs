@@ -9,7 +9,7 @@ use super::{Fit, FittedConstant, Residual, rms, slid, through_origin};
 use crate::heat::expected::HeatEffect;
 use crate::loading::problem::Problem;
 use crate::scene::fitted_constants::heat_effect::LOAD_OF_EXPANSION;
-use crate::scene::fitted_constants::plastic_strain_of_slide::{ADDED, GROWTH};
+use crate::scene::fitted_constants::plastic_strain_of_slide::{ADDED, EXPONENT};
 use crate::scene::{FrictionLaw, Scene, Softening};
 use crate::simulate::{SimulationError, Watch};
 use crate::studies::verification::setup::{mesh, preset, scene};
@@ -34,16 +34,17 @@ const SLIDES: [(&str, f64, f64); 16] = [
     ("steel-304", 5.0, 1.0),
 ];
 
-/// Constants of the smallest bound: ln ε ≤ ln ADDED + GROWTH x for all points (x, ln ε), with the smallest mean
-/// excess. GROWTH by a scan in steps of 0.01.
+/// Constants of the smallest bound: ln ε ≤ ln ADDED + EXPONENT x for all points (x, ln ε), with the smallest mean
+/// excess. EXPONENT by a scan in steps of 0.01.
 fn smallest_bound(points: &[(f64, f64)]) -> [f64; 2] {
     let mean = points.iter().map(|(x, _)| x).sum::<f64>() / points.len() as f64;
-    let touching = |growth: f64| points.iter().map(|(x, y)| y - growth * x).fold(f64::NEG_INFINITY, f64::max);
+    let touching =
+        |exponent: f64| points.iter().map(|(x, y)| y - exponent * x).fold(f64::NEG_INFINITY, f64::max);
     let scan = (0..=300).map(|step| 0.01 * f64::from(step));
-    let growth = scan
+    let exponent = scan
         .min_by(|a, b| (touching(*a) + a * mean).total_cmp(&(touching(*b) + b * mean)))
         .expect("a scan has steps");
-    [touching(growth).exp(), growth]
+    [touching(exponent).exp(), exponent]
 }
 
 pub(super) fn plastic_strain(watch: &dyn Watch) -> Result<Fit, SimulationError> {
@@ -59,12 +60,12 @@ pub(super) fn plastic_strain(watch: &dyn Watch) -> Result<Fit, SimulationError> 
     };
     let points: Vec<(f64, f64)> = SLIDES.par_iter().map(added).collect::<Result<_, SimulationError>>()?;
     let fitted = smallest_bound(&points);
-    let excess = |[added, growth]: [f64; 2]| -> Vec<f64> {
-        points.iter().map(|(x, y)| added.ln() + growth * x - y).collect()
+    let excess = |[added, exponent]: [f64; 2]| -> Vec<f64> {
+        points.iter().map(|(x, y)| added.ln() + exponent * x - y).collect()
     };
     let residual = |of: &str, part: fn(f64) -> f64| {
         let [stored, fitted] =
-            [[ADDED, GROWTH], fitted].map(|constants| rms(excess(constants).into_iter().map(part)));
+            [[ADDED, EXPONENT], fitted].map(|constants| rms(excess(constants).into_iter().map(part)));
         Residual { of: of.to_owned(), points: points.len(), stored, fitted }
     };
     Ok(Fit {
@@ -73,7 +74,7 @@ pub(super) fn plastic_strain(watch: &dyn Watch) -> Result<Fit, SimulationError> 
                  to 5 omega_c, f = 0.8 and 1, slip rate 0, 6 elements, small strain.",
         constants: vec![
             FittedConstant { name: "ADDED", stored: ADDED, fitted: fitted[0] },
-            FittedConstant { name: "GROWTH", stored: GROWTH, fitted: fitted[1] },
+            FittedConstant { name: "EXPONENT", stored: EXPONENT, fitted: fitted[1] },
         ],
         residuals: vec![
             residual("ln of bound over strain", |excess| excess),
@@ -132,7 +133,7 @@ mod tests {
     fn smallest_bound_touches_the_largest_points() {
         // Two points on 0.5 (1 + ω)^1.2, the others below.
         let on = |x: f64, factor: f64| (x, 0.5f64.ln() + 1.2 * x + factor.ln());
-        let [added, growth] = smallest_bound(&[on(0.1, 1.0), on(0.5, 0.3), on(1.0, 0.6), on(1.8, 1.0)]);
-        assert!((added - 0.5).abs() < 1e-12 && (growth - 1.2).abs() < 1e-12, "{added} {growth}");
+        let [added, exponent] = smallest_bound(&[on(0.1, 1.0), on(0.5, 0.3), on(1.0, 0.6), on(1.8, 1.0)]);
+        assert!((added - 0.5).abs() < 1e-12 && (exponent - 1.2).abs() < 1e-12, "{added} {exponent}");
     }
 }

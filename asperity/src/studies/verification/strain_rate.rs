@@ -1,4 +1,4 @@
-//! Growth of the strength with the strain rate: a material point against the closed form, and the interface.
+//! Increase of the strength with the strain rate: a material point against the closed form, and the interface.
 //!
 //! Without hardening a point strained at a constant rate obeys 3G(ε̇ − ε̇_p) = σ_Y C ε̈_p/ε̇_p once it flows, which makes
 //! r = ε̇_p/ε̇₀ the logistic function of time; at held strain 1/r grows linearly until r = 1.

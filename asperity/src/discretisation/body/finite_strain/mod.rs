@@ -240,22 +240,22 @@ impl Body {
         let zero = V::splat(0.0);
         let mut stresses = [[[zero; 3]; 3]; POINTS];
         // Change of ∫J dV.
-        let mut growth = zero;
+        let mut volume_change = zero;
         for chunk in (0..POINTS).step_by(P) {
             let gradient = displacement_gradient(&shapes_at::<W, P, V>(element, chunk), &displacements);
             stresses[chunk] = symmetric_product(|i| value(chunk, i), &gradient);
             for (i, component) in gradient.as_flattened().iter().enumerate() {
-                growth = value(chunk, ENTRIES + i).mul_add(*component, growth);
+                volume_change = value(chunk, ENTRIES + i).mul_add(*component, volume_change);
             }
         }
-        let of_points = (0..P).map(|p| A::load(&unpack::<W, V>(growth, p)));
-        let growth = of_points.fold(A::splat(0.0), |sum, of_point| sum + of_point)
+        let of_points = (0..P).map(|p| A::load(&unpack::<W, V>(volume_change, p)));
+        let mean_stress_change = of_points.fold(A::splat(0.0), |sum, of_point| sum + of_point)
             * A::load(&tangent.volumetric[e * lanes + first..]);
-        let growth = joined::<W, A, V>(&[growth; P]);
+        let mean_stress_change = joined::<W, A, V>(&[mean_stress_change; P]);
         let mut nodal_force = [[zero; VALUES]; CORNERS];
         for chunk in (0..POINTS).step_by(P) {
             for (i, component) in stresses[chunk].as_flattened_mut().iter_mut().enumerate() {
-                *component = value(chunk, ENTRIES + i).mul_add(growth, *component);
+                *component = value(chunk, ENTRIES + i).mul_add(mean_stress_change, *component);
             }
             add_stress_force(&shapes_at::<W, P, V>(element, chunk), &stresses[chunk], &mut nodal_force);
         }

@@ -154,7 +154,7 @@ impl ErrorBudget {
     /// After a refinement: second order in θ at least, and first in the elements; first in the increments.
     fn refined(mut self, from: &Resolution, to: &Resolution) -> Self {
         let sectors = (from.sectors as f64 / to.sectors as f64).powi(2) * elements_ratio(from, to);
-        let steps = to.growth / from.growth;
+        let steps = to.increment_growth / from.increment_growth;
         for (source, factor) in [(ErrorSource::Collocation, sectors), (ErrorSource::Steps, steps)] {
             self.parts[source as usize].iter_mut().for_each(|part| *part *= factor);
         }

@@ -43,7 +43,7 @@ fn errors_of_runs_of_known_orders_are_found() {
     let errors: [(ErrorSource, Error); 3] = [
         (ErrorSource::Mesh, |r| 2.0 * (r.elements_per_radius as f64).powf(-1.5)),
         (ErrorSource::Collocation, |r| 5.0 / (r.elements_per_radius as f64 * (r.sectors as f64).powi(2))),
-        (ErrorSource::Steps, |r| 0.4 * r.growth),
+        (ErrorSource::Steps, |r| 0.4 * r.increment_growth),
     ];
     let start = Resolution::choose(&numerics());
     let mesh = start.finer_mesh(2);
