@@ -38,21 +38,21 @@ pub fn failed(reason: impl ToString, run: Option<Py<PyAny>>) -> PyErr {
 pub fn of_scene(error: SceneFileError) -> PyErr {
     let message = error.to_string();
     // The file without the line, which is in the message.
-    let of = |place: &str| place.rsplit_once(": line ").map_or(place, |(file, _)| file).to_owned();
+    let of = |location: &str| location.rsplit_once(": line ").map_or(location, |(file, _)| file).to_owned();
     match &error {
         SceneFileError::Unreadable { file, reason } => input(&message, Some(file), None, reason),
         SceneFileError::Syntax { file, line, reason } => {
             input(&message, Some(file), None, format!("line {line}: {reason}"))
         }
         SceneFileError::Override { text, reason } => input(&message, None, Some(text), reason),
-        SceneFileError::UnknownKey { place, key, hint } => {
-            input(&message, Some(&of(place)), Some(key), format!("unknown key; {hint}"))
+        SceneFileError::UnknownKey { location, key, hint } => {
+            input(&message, Some(&of(location)), Some(key), format!("unknown key; {hint}"))
         }
-        SceneFileError::Missing { place, key, allowed } => {
-            input(&message, Some(&of(place)), Some(key), format!("is missing; it must be {allowed}"))
+        SceneFileError::Missing { location, key, allowed } => {
+            input(&message, Some(&of(location)), Some(key), format!("is missing; it must be {allowed}"))
         }
-        SceneFileError::Invalid { place, key, value, allowed } => {
-            input(&message, Some(&of(place)), Some(key), format!("{value} must be {allowed}"))
+        SceneFileError::Invalid { location, key, value, allowed } => {
+            input(&message, Some(&of(location)), Some(key), format!("{value} must be {allowed}"))
         }
     }
 }

@@ -58,16 +58,16 @@ pub fn plots(plot: &Option<PathBuf>, temperatures: &[f64]) -> Vec<PathBuf> {
     }
     let part = |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
     let (name, extension) = (part(plot.file_stem()), part(plot.extension()));
-    let place = |temperature: &f64| plot.with_file_name(format!("{name}-{temperature}K.{extension}"));
-    temperatures.iter().map(place).collect()
+    let path = |temperature: &f64| plot.with_file_name(format!("{name}-{temperature}K.{extension}"));
+    temperatures.iter().map(path).collect()
 }
 
 /// Draws the figures of a table, if asked for.
 pub fn plot(table: &Table, TablePlot { plot, panel }: &TablePlot) -> Result<(), Failure> {
     let temperatures = table.temperatures();
-    for (temperature, place) in temperatures.iter().zip(plots(plot, &temperatures)) {
+    for (temperature, path) in temperatures.iter().zip(plots(plot, &temperatures)) {
         let slice = table.at(*temperature).map_err(Failure::run)?;
-        draw(|| slice.figure(), panel, &Some(place))?;
+        draw(|| slice.figure(), panel, &Some(path))?;
     }
     Ok(())
 }

@@ -63,16 +63,16 @@ fn run_scene(scene: &Scene, arguments: &RunArguments, display: &Display) -> Resu
         }
     };
     outcome.account.add_scene(scene);
-    let places = match failure.is_some() && holds_complete_run(&arguments.output) {
+    let target = match failure.is_some() && holds_complete_run(&arguments.output) {
         true => &arguments.of_incomplete(),
         false => arguments,
     };
-    let reported = report(scene, &outcome, failure.as_deref(), places, display);
+    let reported = report(scene, &outcome, failure.as_deref(), target, display);
     match failure {
         None => reported,
         Some(reason) if reported.is_ok() => Err(Failure::Run(format!(
             "{reason}; the results so far are in {}; a run cannot be continued, only repeated",
-            places.output.display()
+            target.output.display()
         ))),
         Some(reason) => Failure::all([Err(Failure::Run(reason)), reported]),
     }
@@ -118,7 +118,7 @@ fn report(
     let drawn = outputs::draw(|| figures::run_figure(scene, outcome), &arguments.panel, &arguments.plot);
     let extent = if arguments.vtu_whole { Extent::Whole } else { Extent::Half };
     let body = arguments.vtu.as_ref().map_or(Ok(()), |directory| {
-        program::save(directory, |place| vtu::write(place, outcome, extent).map(drop))
+        program::save(directory, |path| vtu::write(path, outcome, extent).map(drop))
     });
     let mut spent = outcome.account.timings;
     spent.since(Kernel::Output, clock);

@@ -16,10 +16,10 @@ impl Runs {
         runs
     }
 
-    /// The blocks of `size` entries at rising places.
-    pub fn of_blocks(places: impl Iterator<Item = usize>, size: usize) -> Self {
+    /// The blocks of `size` entries at rising positions.
+    pub fn of_blocks(positions: impl Iterator<Item = usize>, size: usize) -> Self {
         let mut runs = Self::default();
-        places.for_each(|place| runs.push(place * size..(place + 1) * size));
+        positions.for_each(|position| runs.push(position * size..(position + 1) * size));
         runs
     }
 

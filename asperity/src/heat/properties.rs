@@ -65,10 +65,10 @@ impl ThermalProperties {
 
     /// Rise, enthalpy and capacity at a potential, from one search on the common knots.
     pub fn state(&self, potential: f64) -> ThermalState {
-        let place = self.conductivity.place_of_integral(potential);
-        let (conductivity, _) = self.conductivity.at(&place);
-        let (specific_heat, enthalpy) = self.specific_heat.at(&place);
-        let rise = self.conductivity.abscissa(&place);
+        let point = self.conductivity.point_of_integral(potential);
+        let (conductivity, _) = self.conductivity.at(&point);
+        let (specific_heat, enthalpy) = self.specific_heat.at(&point);
+        let rise = self.conductivity.abscissa(&point);
         ThermalState { rise, enthalpy, capacity: specific_heat / conductivity }
     }
 }

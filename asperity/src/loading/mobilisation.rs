@@ -1,6 +1,6 @@
 //! Slip of full mobilisation, extrapolated from the share r of the shear strength that is not mobilised.
 //!
-//! The place and the slip of the last point that sticks depend on mesh and angles; r is an integral over the contact and
+//! The position and the slip of the last point that sticks depend on mesh and angles; r is an integral over the contact and
 //! depends on them less. As the stick area shrinks to a point in proportion to s_i − s, r falls as (s_i − s)^{3/2}: exactly so
 //! in Coulomb friction of a Hertzian contact (Mindlin 1949), for small r under a uniform strength (Savkoor 1987); see
 //! [`tables::closed_forms::partial_slip`]. Where heat or plastic flow lets points stick close to their strength over a long slip,

@@ -36,17 +36,17 @@ impl Snapshot {
         let state = &contact.committed;
         let (rings, columns) = (contact.radii.len(), contact.angles.len());
         // The state is stored ring by ring.
-        let places = || (0..columns).flat_map(|j| (0..rings).map(move |k| k * columns + j));
+        let points = || (0..columns).flat_map(|j| (0..rings).map(move |k| k * columns + j));
         let shear = |at: usize| state[at].traction[0].hypot(state[at].traction[1]);
-        let rise = |at: usize| conduction.map_or(0.0, |c| c.committed.rise[contact.scalar_place(at)]);
+        let rise = |at: usize| conduction.map_or(0.0, |c| c.committed.rise[contact.scalar_index(at)]);
         Self {
             slip: now.slip * units.length,
             time: now.time * units.time,
-            status: places().map(|at| state[at].status).collect(),
-            pressure: places().map(|at| units.stress * state[at].pressure).collect(),
-            shear: places().map(|at| units.stress * shear(at)).collect(),
-            temperature: places().map(|at| units.temperature + rise(at)).collect(),
-            slip_distance: places().map(|at| units.length * state[at].slip).collect(),
+            status: points().map(|at| state[at].status).collect(),
+            pressure: points().map(|at| units.stress * state[at].pressure).collect(),
+            shear: points().map(|at| units.stress * shear(at)).collect(),
+            temperature: points().map(|at| units.temperature + rise(at)).collect(),
+            slip_distance: points().map(|at| units.length * state[at].slip).collect(),
         }
     }
 }

@@ -6,7 +6,7 @@
 
 use crate::material::lanes::Pack;
 use crate::material::log_strain::LogStrain;
-use crate::material::tensor::{PLACE, Symmetric, TwoPoint, after, contracted};
+use crate::material::tensor::{SYMMETRIC_INDEX, Symmetric, TwoPoint, after, contracted};
 
 /// Independent entries of the symmetric ∂P/∂F: 9·10/2, row by row.
 pub const ENTRIES: usize = 45;
@@ -19,7 +19,7 @@ pub struct LogModuli<V> {
     pub direction: Option<Symmetric<V>>,
 }
 
-/// Place of row i, column j ≥ i of a symmetric 9 × 9 matrix.
+/// Index of row i, column j ≥ i of a symmetric 9 × 9 matrix.
 const fn entry(i: usize, j: usize) -> usize {
     i * (17 - i) / 2 + j
 }
@@ -34,25 +34,25 @@ pub fn tangent<V: Pack>(
     moduli: &LogModuli<V>,
 ) -> [V; ENTRIES] {
     let material = material_moduli(log, log_stress, moduli);
-    // H_jm = ½ Σ F_ij dF_im + F_im dF_ij, so that row v of the moduli gives Σ_m F_im times the place of (j, m).
+    // H_jm = ½ Σ F_ij dF_im + F_im dF_ij, so that row v of the moduli gives Σ_m F_im times the component (j, m).
     let mut rows = [[V::splat(0.0); 9]; 6];
     for v in 0..6 {
         for i in 0..9 {
-            rows[v][i] = pulled(&f[i / 3], i % 3, |place| material[v][place]);
+            rows[v][i] = pulled(&f[i / 3], i % 3, |component| material[v][component]);
         }
     }
     let mut tangent = [V::splat(0.0); ENTRIES];
     for i in 0..9 {
         for j in i..9 {
-            tangent[entry(i, j)] = pulled(&f[i / 3], i % 3, |place| rows[place][j]);
+            tangent[entry(i, j)] = pulled(&f[i / 3], i % 3, |component| rows[component][j]);
         }
     }
     // δ_ik S_JL.
     for j in 0..3 {
         for m in j..3 {
             for i in 0..3 {
-                let place = &mut tangent[entry(3 * i + j, 3 * i + m)];
-                *place = *place + second[PLACE[j][m]];
+                let modulus = &mut tangent[entry(3 * i + j, 3 * i + m)];
+                *modulus = *modulus + second[SYMMETRIC_INDEX[j][m]];
             }
         }
     }
@@ -62,7 +62,7 @@ pub fn tangent<V: Pack>(
 /// Σ_m F_im x_jm of a symmetric x, given a row of F.
 #[inline(always)]
 fn pulled<V: Pack>(row: &[V; 3], j: usize, x: impl Fn(usize) -> V) -> V {
-    let [first, middle, last] = PLACE[j];
+    let [first, middle, last] = SYMMETRIC_INDEX[j];
     row[0].mul_add(x(first), row[1].mul_add(x(middle), row[2] * x(last)))
 }
 
@@ -100,10 +100,10 @@ fn material_moduli<V: Pack>(
     material
 }
 
-/// Places of ∂²J/∂F∂F, each with row and column of F and the sign of the two permutations.
+/// Entries of ∂²J/∂F∂F, each with row and column of F and the sign of the two permutations.
 const CURVATURE: [(usize, usize, usize, f64); 18] = {
-    let mut places = [(0, 0, 0, 0.0); 18];
-    let (mut place, mut at) = (0, 0);
+    let mut entries = [(0, 0, 0, 0.0); 18];
+    let (mut count, mut at) = (0, 0);
     while at < 27 {
         // (i, k) is a pair of rows, i < k, m the third row; j and n are columns, o the third one.
         let (i, k) = [(0, 1), (0, 2), (1, 2)][at / 9];
@@ -112,23 +112,23 @@ const CURVATURE: [(usize, usize, usize, f64); 18] = {
             let (m, o) = (3 - i - k, 3 - j - n);
             // ε_ikm for i < k: negative for (r, z) alone.
             let sign = if (k == after(i)) == (n == after(j)) { 1.0 } else { -1.0 };
-            places[place] = (entry(3 * i + j, 3 * k + n), m, o, sign);
-            place += 1;
+            entries[count] = (entry(3 * i + j, 3 * k + n), m, o, sign);
+            count += 1;
         }
         at += 1;
     }
-    places
+    entries
 };
 
 /// Adds `factor`·∂²J/∂F∂F, which is F itself with the signs of two permutations.
 #[inline(always)]
 pub fn add_volume_curvature<V: Pack>(factor: V, f: &TwoPoint<V>, tangent: &mut [V; ENTRIES]) {
-    for (place, m, o, sign) in CURVATURE {
-        tangent[place] = (V::splat(sign) * factor).mul_add(f[m][o], tangent[place]);
+    for (index, m, o, sign) in CURVATURE {
+        tangent[index] = (V::splat(sign) * factor).mul_add(f[m][o], tangent[index]);
     }
 }
 
-/// y = A x for a symmetric 9 × 9 matrix, whose entries are `at(place)`.
+/// y = A x for a symmetric 9 × 9 matrix, whose entries are `at(index)`, see [`entry`].
 #[inline(always)]
 pub fn symmetric_product<V: Pack>(at: impl Fn(usize) -> V, x: &TwoPoint<V>) -> TwoPoint<V> {
     let mut y = [[V::splat(0.0); 3]; 3];

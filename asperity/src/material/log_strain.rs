@@ -9,7 +9,7 @@
 use gauss_quad::GaussLegendre;
 
 use crate::material::lanes::Pack;
-use crate::material::tensor::{PAIR, PLACE, Symmetric, TwoPoint, contracted};
+use crate::material::tensor::{PAIR, SYMMETRIC_INDEX, Symmetric, TwoPoint, contracted};
 
 /// Largest truncation ρ^2m: far below the tolerance of Newton's method.
 const TRUNCATION: f64 = 1e-12;
@@ -84,7 +84,7 @@ impl<V: Pack> LogStrain<'_, V> {
         let mut strain = sum;
         for i in 0..3 {
             for j in i..3 {
-                strain[PLACE[i][j]] = row_times(&self.excess, i, &sum, j);
+                strain[SYMMETRIC_INDEX[i][j]] = row_times(&self.excess, i, &sum, j);
             }
         }
         strain
@@ -161,14 +161,14 @@ fn minor<V: Pack>(a: V, b: V, c: V, d: V) -> V {
 /// Row i of the symmetric A times column j of the symmetric B.
 #[inline(always)]
 fn row_times<V: Pack>(a: &Symmetric<V>, i: usize, b: &Symmetric<V>, j: usize) -> V {
-    let [first, middle, last] = PLACE[i];
+    let [first, middle, last] = SYMMETRIC_INDEX[i];
     times(&[a[first], a[middle], a[last]], b, j)
 }
 
 /// A row times column j of the symmetric B.
 #[inline(always)]
 fn times<V: Pack>(row: &[V; 3], b: &Symmetric<V>, j: usize) -> V {
-    let [first, middle, last] = PLACE[j];
+    let [first, middle, last] = SYMMETRIC_INDEX[j];
     row[0].mul_add(b[first], row[1].mul_add(b[middle], row[2] * b[last]))
 }
 
@@ -183,14 +183,14 @@ fn congruence<V: Pack>(a: &Symmetric<V>, b: &Symmetric<V>) -> Symmetric<V> {
             row[j] = row_times(a, i, b, j);
         }
         for j in i..3 {
-            product[PLACE[i][j]] = times(&row, a, j);
+            product[SYMMETRIC_INDEX[i][j]] = times(&row, a, j);
         }
     }
     product
 }
 
 /// Adds factor·e_v:(A e_w B) over the symmetric units e_v of [`PAIR`], shears of two halves, made symmetric in A
-/// and B. For A = B it is component v of A e_w A. Places below the diagonal stay as they are.
+/// and B. For A = B it is component v of A e_w A. Components below the diagonal stay as they are.
 #[inline(always)]
 fn add_square<V: Pack>(factor: V, a: &Symmetric<V>, b: &Symmetric<V>, sum: &mut [Symmetric<V>; 6]) {
     let half = V::splat(0.5) * factor;
@@ -201,12 +201,15 @@ fn add_square<V: Pack>(factor: V, a: &Symmetric<V>, b: &Symmetric<V>, sum: &mut 
     for v in 0..6 {
         for w in v..6 {
             let ((p, q), (r, s)) = (PAIR[v], PAIR[w]);
-            let straight = both(&scaled, b, PLACE[p][r], PLACE[q][s]);
-            let place = &mut sum[v][w];
-            *place = if v < 3 {
-                *place + straight
+            let straight = both(&scaled, b, SYMMETRIC_INDEX[p][r], SYMMETRIC_INDEX[q][s]);
+            let component = &mut sum[v][w];
+            *component = if v < 3 {
+                *component + straight
             } else {
-                V::splat(0.5).mul_add(straight + both(&scaled, b, PLACE[p][s], PLACE[q][r]), *place)
+                V::splat(0.5).mul_add(
+                    straight + both(&scaled, b, SYMMETRIC_INDEX[p][s], SYMMETRIC_INDEX[q][r]),
+                    *component,
+                )
             };
         }
     }

@@ -14,8 +14,8 @@ pub type Symmetric<T> = [T; 6];
 /// Tensor components of the six that are stored: (rr, θθ, zz, rθ, θz, zr).
 pub const PAIR: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
 
-/// Place in [`PAIR`] of two indices.
-pub const PLACE: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
+/// Index in [`PAIR`] of a component (i, j).
+pub const SYMMETRIC_INDEX: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
 
 /// x:y, which counts shears twice.
 #[inline(always)]

@@ -50,9 +50,9 @@ impl<'a> Plane<'a> {
         let ContactGrid { r, theta } = &outcome.grid;
         let unit = outcome.scalars[Quantity::ContactRadius].value;
         let touched = (0..r.len()).rev().find(|&ring| {
-            let places = (0..theta.len()).map(|angle| angle * r.len() + ring);
+            let points = (0..theta.len()).map(|angle| angle * r.len() + ring);
             let touches =
-                |snapshot: &Snapshot| places.clone().any(|at| snapshot.status[at] != ContactStatus::Open);
+                |snapshot: &Snapshot| points.clone().any(|at| snapshot.status[at] != ContactStatus::Open);
             outcome.snapshots.iter().any(touches)
         });
         let shown = r.iter().filter(|&&radius| radius <= SHOWN * unit).count();

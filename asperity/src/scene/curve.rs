@@ -41,7 +41,7 @@ impl Curve {
         Self::new(vec![0.0], vec![value])
     }
 
-    /// The same with knots wherever `other` has them: both then have one place for the same x.
+    /// The same with knots wherever `other` has them: a point of one curve is then valid on the other.
     pub fn with_knots_of(&self, other: &Self) -> Self {
         let (mut knots, mut values) = (self.knots.clone(), self.values.clone());
         for (i, &x) in other.knots.iter().enumerate() {
@@ -56,50 +56,50 @@ impl Curve {
     }
 
     pub fn value(&self, x: f64) -> f64 {
-        self.at(&self.place(x)).0
+        self.at(&self.point(x)).0
     }
 
     /// ∫₀ˣ.
     pub fn integral(&self, x: f64) -> f64 {
-        self.at(&self.place(x)).1
+        self.at(&self.point(x)).1
     }
 
     /// The x at which ∫₀ˣ is `integral`; the curve must be positive.
     pub fn inverse_integral(&self, integral: f64) -> f64 {
-        self.abscissa(&self.place_of_integral(integral))
+        self.abscissa(&self.point_of_integral(integral))
     }
 
-    fn place(&self, x: f64) -> Place {
-        let place = Place::new(points_up_to(&self.knots, x), x < 0.0);
-        Place { distance: x - self.knots[place.knot], ..place }
+    fn point(&self, x: f64) -> CurvePoint {
+        let point = CurvePoint::new(points_up_to(&self.knots, x), x < 0.0);
+        CurvePoint { distance: x - self.knots[point.knot], ..point }
     }
 
-    /// Place at which ∫₀ˣ is `integral`; the curve must be positive.
+    /// Point at which ∫₀ˣ is `integral`; the curve must be positive.
     #[inline]
-    pub fn place_of_integral(&self, integral: f64) -> Place {
-        let place = Place::new(points_up_to(&self.integrals, integral), integral < 0.0);
-        let (value, excess) = (self.values[place.knot], integral - self.integrals[place.knot]);
+    pub fn point_of_integral(&self, integral: f64) -> CurvePoint {
+        let point = CurvePoint::new(points_up_to(&self.integrals, integral), integral < 0.0);
+        let (value, excess) = (self.values[point.knot], integral - self.integrals[point.knot]);
         // The root of ½·slope·d² + value·d = excess in the form without cancellation.
-        let discriminant = (value * value + 2.0 * self.slopes[place.after] * excess).max(0.0);
-        Place { distance: 2.0 * excess / (value + discriminant.sqrt()), ..place }
+        let discriminant = (value * value + 2.0 * self.slopes[point.after] * excess).max(0.0);
+        CurvePoint { distance: 2.0 * excess / (value + discriminant.sqrt()), ..point }
     }
 
     #[inline]
-    pub fn abscissa(&self, place: &Place) -> f64 {
-        self.knots[place.knot] + place.distance
+    pub fn abscissa(&self, point: &CurvePoint) -> f64 {
+        self.knots[point.knot] + point.distance
     }
 
     /// Value and ∫₀ˣ.
     #[inline]
-    pub fn at(&self, place: &Place) -> (f64, f64) {
-        let (knot, d, slope) = (place.knot, place.distance, self.slopes[place.after]);
+    pub fn at(&self, point: &CurvePoint) -> (f64, f64) {
+        let (knot, d, slope) = (point.knot, point.distance, self.slopes[point.after]);
         let value = self.values[knot];
         (value + slope * d, self.integrals[knot] + d * (value + 0.5 * slope * d))
     }
 }
 
-/// Place of an abscissa on a curve.
-pub struct Place {
+/// Point of a curve: its segment and the distance from one of its ends.
+pub struct CurvePoint {
     /// Number of knots up to it.
     after: usize,
     /// End of its segment that is nearer to 0.
@@ -108,7 +108,7 @@ pub struct Place {
     distance: f64,
 }
 
-impl Place {
+impl CurvePoint {
     fn new(after: usize, is_negative: bool) -> Self {
         let knot = if is_negative { after } else { after.saturating_sub(1) };
         Self { after, knot, distance: 0.0 }
@@ -158,10 +158,10 @@ mod tests {
         for i in -400..700 {
             let x = 0.01 * i as f64;
             let integral = one.integral(x);
-            let place = pair[0].place_of_integral(integral);
+            let point = pair[0].point_of_integral(integral);
             for (pair, alone) in pair.iter().zip([&one, &other]) {
                 assert!((pair.value(x) - alone.value(x)).abs() < 1e-13, "{x}");
-                assert!((pair.at(&place).1 - alone.integral(x)).abs() < 1e-12, "{x}");
+                assert!((pair.at(&point).1 - alone.integral(x)).abs() < 1e-12, "{x}");
             }
         }
     }

@@ -211,8 +211,8 @@ mod tests {
     #[test]
     fn measured_times_of_long_slides_are_within_the_stated_factor() {
         for (preset, interference, slip_rate, slip, seconds) in SLIDES {
-            let place = [("interference", interference), ("slip_rate", slip_rate), ("slip_distance", slip)];
-            let set = place.map(|(key, value)| format!("loading.{key}={value:?}"));
+            let loading = [("interference", interference), ("slip_rate", slip_rate), ("slip_distance", slip)];
+            let set = loading.map(|(key, value)| format!("loading.{key}={value:?}"));
             assert_expected(&of_preset(preset, &set.each_ref().map(String::as_str)), seconds);
         }
     }
@@ -263,8 +263,8 @@ mod tests {
             (0.05, 50.0, &[], 7.4),
             (0.05, 50.0, &CONSTANT, 2.9),
         ] {
-            let place = [format!("asperity.radius={radius}"), format!("loading.slip_rate={slip_rate}")];
-            let set = [&place.each_ref().map(String::as_str)[..], change].concat();
+            let loading = [format!("asperity.radius={radius}"), format!("loading.slip_rate={slip_rate}")];
+            let set = [&loading.each_ref().map(String::as_str)[..], change].concat();
             assert_expected(&parse(IRON, &set).unwrap(), seconds);
         }
     }

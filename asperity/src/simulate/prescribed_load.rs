@@ -13,7 +13,7 @@ const CLOSE: f64 = 3e-4;
 const MOST_PRESSES: usize = 12;
 /// d ln P/d ln ω of the first step, between those of elastic (3/2) and of plastic spheres (1).
 const FIRST_SLOPE: f64 = 1.2;
-/// Bounds of that slope between two presses; the load of a press scatters by the place of the edge in its mesh.
+/// Bounds of that slope between two presses; the load of a press scatters by the position of the edge in its mesh.
 const SLOPES: [f64; 2] = [0.7, 1.6];
 const DIGITS: usize = 5;
 

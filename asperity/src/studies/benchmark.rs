@@ -36,7 +36,7 @@ pub struct Kernels {
     body: Body,
     contact: Contact,
     single: SingleFactors,
-    places: Vec<u32>,
+    positions: Vec<u32>,
     preconditioner: Preconditioner,
     conduction: Conduction,
     flat: FlatPosition,
@@ -100,7 +100,7 @@ impl Kernels {
             paths: (0..PATHS).map(strain_path).collect(),
             body,
             contact,
-            places: single.places_before(0).collect(),
+            positions: single.positions_before(0).collect(),
             single,
             flat,
             displacement,
@@ -162,8 +162,8 @@ impl Kernels {
 
     /// Forward and backward, down to the contact.
     pub fn sweeps(&mut self) {
-        self.single.forward(&mut self.sweep, &self.places);
-        self.single.backward(&mut self.sweep, &self.places);
+        self.single.forward(&mut self.sweep, &self.positions);
+        self.single.backward(&mut self.sweep, &self.positions);
         // Bounded away from zero and infinity for any number of calls.
         self.sweep.iter_mut().enumerate().for_each(|(i, x)| *x = (0.1 * (i % 64) as f32) - 3.2);
     }

@@ -81,8 +81,8 @@ mod tests {
         let templates = parse_request(&table.metadata().scene, name, &[]).unwrap().templates();
         let layout = Layout { templates: &templates, axes: table.axes() };
         let (expected, columns) = (layout.expected_times(), table.axes().slip_rate.len());
-        let places = layout.order().into_iter().flat_map(|i| (0..columns).map(move |j| (i, j)));
-        let known = places.filter_map(|at| Some((at, table.only().unwrap().cell(at.0, at.1)?.wall_time)));
+        let cells = layout.order().into_iter().flat_map(|i| (0..columns).map(move |j| (i, j)));
+        let known = cells.filter_map(|at| Some((at, table.only().unwrap().cell(at.0, at.1)?.wall_time)));
         known.map(|(at, seconds)| (expected[layout.position(at)], seconds)).collect()
     }
 

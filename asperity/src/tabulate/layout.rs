@@ -36,7 +36,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Place of a cell, row-major.
+    /// Index of a cell, row-major.
     pub fn position(&self, (i, j): Index) -> usize {
         i * self.axes.slip_rate.len() + j
     }

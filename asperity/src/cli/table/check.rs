@@ -21,14 +21,14 @@ use crate::{Display, Failure, print};
 pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failure> {
     let table = read(&arguments.table, &arguments.at)?;
     let request = parse_request(&table.metadata().scene, &arguments.table, &[]).map_err(Failure::input)?;
-    let places = match arguments.between {
+    let positions = match arguments.between {
         true => table.between_points(),
         false => {
             let done = table.grid().filter(|&(i, j)| table.cell(i, j).is_some());
             done.map(|(i, j)| table.coordinates(i, j)).collect()
         }
     };
-    if places.is_empty() {
+    if positions.is_empty() {
         let what = match arguments.between {
             true => "has a single interference or slip rate: there is nothing between its points",
             false => "has no cell that is done",
@@ -36,10 +36,11 @@ pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failur
         return Err(Failure::input(format!("{}: the table {what}", arguments.table)));
     }
     let mut random = StdRng::seed_from_u64(arguments.seed);
-    let chosen = index::sample(&mut random, places.len(), usize::from(arguments.cells).min(places.len()));
+    let chosen =
+        index::sample(&mut random, positions.len(), usize::from(arguments.cells).min(positions.len()));
     let (mut wrong, mut compared) = (Vec::new(), Vec::new());
-    for place in chosen.into_iter().map(|k| places[k]) {
-        let expected = expected(&table, place, arguments.between)?;
+    for position in chosen.into_iter().map(|k| positions[k]) {
+        let expected = expected(&table, position, arguments.between)?;
         let again = computed_again(&expected, &request, display)?;
         let comparison = expected.compare(&again);
         let label = expected.label(0, 0);
@@ -68,7 +69,7 @@ pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failur
     }
 }
 
-/// A table of one cell: what the table has at a place, or is read there.
+/// A table of one cell: what the table has at an interference and slip rate, or is read there.
 fn expected(
     table: &InterpolatedTable,
     (interference, slip_rate): (f64, f64),

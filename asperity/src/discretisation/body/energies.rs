@@ -1,6 +1,6 @@
 //! Mechanical energies of the body and of a step.
 
-use super::state::place_of;
+use super::state::value_index;
 use super::{Body, BodyState, TENSOR};
 use crate::discretisation::element::{CORNERS, POINTS};
 
@@ -34,7 +34,7 @@ impl Body {
                 let stiffness = self.solid.stiffness_factor(state.rise[e * lanes + l]);
                 energy += element.volume * p * p / (2.0 * moduli.bulk) / stiffness;
                 for q in 0..POINTS {
-                    let s = |i: usize| state.deviator[place_of(TENSOR, [e, i, q], lanes) + l];
+                    let s = |i: usize| state.deviator[value_index(TENSOR, [e, i, q], lanes) + l];
                     let squared = contraction(|i| [s(i), s(i)]);
                     energy += element.weight[q] * squared / (4.0 * moduli.shear) / stiffness;
                 }
@@ -48,7 +48,7 @@ impl Body {
     fn point_plastic_work(&self, e: usize, q: usize, l: usize) -> f64 {
         let lanes = self.mesh.sectors.columns();
         contraction(|i| {
-            let at = place_of(TENSOR, [e, i, q], lanes) + l;
+            let at = value_index(TENSOR, [e, i, q], lanes) + l;
             let mean = 0.5 * (self.committed.deviator[at] + self.trial.deviator[at]);
             [mean, self.trial.plastic_strain[at] - self.committed.plastic_strain[at]]
         })
@@ -90,7 +90,7 @@ impl Body {
         let mut energy = element.volume * product / (2.0 * moduli.bulk);
         for q in 0..POINTS {
             let product = contraction(|i| {
-                let at = place_of(TENSOR, [e, i, q], lanes) + l;
+                let at = value_index(TENSOR, [e, i, q], lanes) + l;
                 [self.committed.deviator[at], self.trial.deviator[at]]
             });
             energy += element.weight[q] * product / (4.0 * moduli.shear);

@@ -11,7 +11,7 @@ pub const POINT_VALUES: usize = ENTRIES + 9;
 /// Tangent at the last internal force.
 #[derive(Clone, Debug)]
 pub struct FiniteTangent {
-    /// Values of each point, see [`place_of`](super::state::place_of). In single precision: the products are bound by memory, and the
+    /// Values of each point, see [`value_index`](super::state::value_index). In single precision: the products are bound by memory, and the
     /// convergence of Newton's method is the same.
     pub point: Vec<f32>,
     /// Per element and group of lanes: whether the displacement gradient is so small that the moduli of small strain

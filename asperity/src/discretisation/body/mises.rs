@@ -1,6 +1,6 @@
 //! Von Mises stress on the axis.
 
-use super::state::place_of;
+use super::state::value_index;
 use super::{Body, BodyState, TENSOR};
 use crate::discretisation::element::{CORNERS, POINTS, shape_at_points};
 
@@ -39,7 +39,7 @@ impl Body {
 
     fn mises_of_mean(&self, state: &BodyState, element: usize) -> f64 {
         let lanes = self.mesh.sectors.columns();
-        let at = |q: usize, i: usize| state.deviator[place_of(TENSOR, [element, i, q], lanes)];
+        let at = |q: usize, i: usize| state.deviator[value_index(TENSOR, [element, i, q], lanes)];
         mises(&std::array::from_fn(|i| (0..POINTS).map(|q| at(q, i)).sum::<f64>() / POINTS as f64))
     }
 }

@@ -47,7 +47,7 @@ struct Tangent {
     /// Per element and group of lanes: whether any point flows. Where none does, trial and committed plastic strains
     /// are equal.
     flows: Vec<bool>,
-    /// (2G-factor, radial factor, n): 8 values of each point, see [`state::place_of`]; relative to E(T)/E(T₀). At
+    /// (2G-factor, radial factor, n): 8 values of each point, see [`state::value_index`]; relative to E(T)/E(T₀). At
     /// elastic points the first two are 2G and 0, and n is not updated.
     coefficients: Vec<f64>,
     /// E(T)/E(T₀) per element; empty if constant.

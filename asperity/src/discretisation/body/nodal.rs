@@ -1,6 +1,6 @@
 //! Stress and plastic strain at the nodes of the meridian.
 
-use super::state::place_of;
+use super::state::value_index;
 use super::{Body, BodyState, TENSOR};
 use crate::discretisation::element::POINTS;
 
@@ -24,7 +24,7 @@ impl Body {
                         let target = &mut sum[(node * NODAL + component) * columns..][..columns];
                         let values = match component {
                             TENSOR => &state.accumulated[(e * POINTS + q) * columns..],
-                            i => &state.deviator[place_of(TENSOR, [e, i, q], columns)..],
+                            i => &state.deviator[value_index(TENSOR, [e, i, q], columns)..],
                         };
                         for (target, value) in target.iter_mut().zip(values) {
                             *target += weight * value;

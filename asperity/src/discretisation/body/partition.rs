@@ -26,15 +26,16 @@ pub(super) struct Partition {
     corners: Vec<[u32; CORNERS]>,
     /// Number of nodes of each part.
     node_counts: Vec<usize>,
-    /// For each node the places of its forces, part by part; those of node n begin at `start[n]`.
-    places: Vec<Place>,
+    /// For each node its copies in the parts, part by part; those of node n begin at `start[n]`.
+    part_nodes: Vec<PartNode>,
     start: Vec<u32>,
     /// Forces and the forces on the slopes ∂u/∂θ at the nodes of the parts: scratch.
     forces: Vec<f64>,
 }
 
+/// A node in a part, which has its own copy of the nodal force.
 #[derive(Clone, Copy, Debug, Default)]
-struct Place {
+struct PartNode {
     part: u32,
     /// Among the nodes of all parts.
     node: u32,
@@ -54,18 +55,18 @@ impl Partition {
             let local = |node: u32| nodes.binary_search(&node).expect("a node of the part") as u32;
             corners.extend(elements.iter().map(|element| element.nodes.map(local)));
             for (i, &node) in nodes.iter().enumerate() {
-                of_nodes[node as usize].push(Place { part: part as u32, node: (before + i) as u32 });
+                of_nodes[node as usize].push(PartNode { part: part as u32, node: (before + i) as u32 });
             }
             node_counts.push(nodes.len());
             before += nodes.len();
         }
         let mut start = vec![0];
-        start.extend(of_nodes.iter().scan(0, |end, places| {
-            *end += places.len() as u32;
+        start.extend(of_nodes.iter().scan(0, |end, part_nodes| {
+            *end += part_nodes.len() as u32;
             Some(*end)
         }));
         let forces = vec![0.0; before * VALUES * columns];
-        Self { size, corners, node_counts, places: of_nodes.concat(), start, forces }
+        Self { size, corners, node_counts, part_nodes: of_nodes.concat(), start, forces }
     }
 
     /// For each part, its range in `elements`, which ascend.
@@ -113,11 +114,11 @@ impl Partition {
     fn force_on(&self, sectors: &Collocation, node: usize, active: &[bool], force: &mut [f64]) {
         // Those on the displacement, and with those on the slopes.
         let (width, both) = (force.len(), VALUES * sectors.columns());
-        let places = &self.places[self.start[node] as usize..self.start[node + 1] as usize];
-        let mut parts = places
+        let part_nodes = &self.part_nodes[self.start[node] as usize..self.start[node + 1] as usize];
+        let mut parts = part_nodes
             .iter()
-            .filter(|place| active[place.part as usize])
-            .map(|place| self.forces[place.node as usize * both..][..both].split_at(width));
+            .filter(|copy| active[copy.part as usize])
+            .map(|copy| self.forces[copy.node as usize * both..][..both].split_at(width));
         match parts.next() {
             None => force.fill(0.0),
             Some((of_displacement, of_slope)) => {

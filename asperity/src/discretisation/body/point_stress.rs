@@ -1,7 +1,7 @@
 //! Stress at Gauss points at the end of a step.
 
 use super::part::Part;
-use super::state::place_of;
+use super::state::value_index;
 use super::temperature::{ElementHeat, PointTemperature};
 use super::{COEFFICIENTS, TENSOR};
 use crate::material::lanes::{Lanes, Pack, lanes_of};
@@ -33,10 +33,10 @@ impl Points {
         self.of_values(COEFFICIENTS, i)
     }
 
-    /// Place of value i of `count`.
+    /// Index of value i of `count`.
     #[inline(always)]
     pub(super) fn of_values(self, count: usize, i: usize) -> usize {
-        place_of(count, [self.e, i, self.chunk], self.lanes) + self.first
+        value_index(count, [self.e, i, self.chunk], self.lanes) + self.first
     }
 }
 
@@ -127,10 +127,10 @@ impl Part<'_> {
         }
         let mut increments = [0.0; N];
         for (l, increment) in increments.iter_mut().enumerate() {
-            let place = at.scalar() + l;
-            *increment = self.trial.accumulated[place] - self.committed.accumulated[place];
-            self.trial.accumulated[place] = self.committed.accumulated[place];
-            self.trial.strength[place] = self.committed.strength[place];
+            let index = at.scalar() + l;
+            *increment = self.trial.accumulated[index] - self.committed.accumulated[index];
+            self.trial.accumulated[index] = self.committed.accumulated[index];
+            self.trial.strength[index] = self.committed.strength[index];
         }
         increments
     }

@@ -6,10 +6,10 @@ use super::TENSOR;
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::element::POINTS;
 
-/// Place of value i of `count` at Gauss point q of element e and the first angle: element by element, value by value,
+/// Index of value i of `count` at Gauss point q of element e and the first angle: element by element, value by value,
 /// points and angles within, so that several points fill a vector register where the angles alone do not.
 #[inline(always)]
-pub(super) fn place_of(count: usize, [e, i, q]: [usize; 3], lanes: usize) -> usize {
+pub(super) fn value_index(count: usize, [e, i, q]: [usize; 3], lanes: usize) -> usize {
     ((e * count + i) * POINTS + q) * lanes
 }
 

@@ -193,7 +193,7 @@ fn yield_strength_and_modulus_are_those_of_the_temperature() {
     for (i, &strain) in body.trial.accumulated.iter().enumerate() {
         let (point, l) = (i / lanes, i % lanes);
         let s = |c: usize| {
-            body.trial.deviator[state::place_of(TENSOR, [point / POINTS, c, point % POINTS], lanes) + l]
+            body.trial.deviator[state::value_index(TENSOR, [point / POINTS, c, point % POINTS], lanes) + l]
         };
         let squared: f64 = (0..TENSOR).map(|c| if c < 3 { s(c) * s(c) } else { 2.0 * s(c) * s(c) }).sum();
         let (von_mises, strength) = ((1.5 * squared).sqrt(), body.solid.yield_strength(strain, 250.0));

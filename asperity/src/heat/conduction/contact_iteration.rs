@@ -41,7 +41,7 @@ impl StageSolver for ContactIteration {
         factors.forward(&mut modal);
         let contact = &mut modal[factors.contact_offset()..];
         let free = contact.to_vec();
-        let mut rise: Vec<f64> = step.conduction.contact_places.iter().map(|&p| guess.rise[p]).collect();
+        let mut rise: Vec<f64> = step.conduction.contact_indices.iter().map(|&p| guess.rise[p]).collect();
         let mut residual = f64::INFINITY;
         for _ in 0..ITERATIONS {
             contact.copy_from_slice(&free);

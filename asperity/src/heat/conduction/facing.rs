@@ -91,7 +91,7 @@ pub(super) struct ContactDisc {
     /// a.
     radius: f64,
     /// ξ and y/a of each point.
-    places: Vec<[f64; 2]>,
+    positions: Vec<[f64; 2]>,
     /// 1, and ξ and η less their means.
     shapes: Vec<Profile>,
     /// Mean of η + 1.
@@ -102,29 +102,29 @@ pub(super) struct ContactDisc {
 
 impl ContactDisc {
     /// Of points at (x, y).
-    pub(super) fn new(areas: Vec<f64>, place: impl Fn(usize) -> [f64; 2]) -> Self {
+    pub(super) fn new(areas: Vec<f64>, position: impl Fn(usize) -> [f64; 2]) -> Self {
         let total: f64 = areas.iter().sum();
         let mean = |value: &dyn Fn(usize) -> f64| {
             (0..areas.len()).map(|point| areas[point] * value(point)).sum::<f64>() / total
         };
         // That of the disc of twice the area.
         let radius = (2.0 * total / std::f64::consts::PI).sqrt();
-        let centre = mean(&|point| place(point)[0]);
-        let relative = |point| [(place(point)[0] - centre) / radius, place(point)[1] / radius];
-        let places: Vec<[f64; 2]> = (0..areas.len()).map(relative).collect();
-        let squared = |point: usize| places[point].iter().map(|x| x * x).sum::<f64>();
+        let centre = mean(&|point| position(point)[0]);
+        let relative = |point| [(position(point)[0] - centre) / radius, position(point)[1] / radius];
+        let positions: Vec<[f64; 2]> = (0..areas.len()).map(relative).collect();
+        let squared = |point: usize| positions[point].iter().map(|x| x * x).sum::<f64>();
         let curvature = mean(&|point| 2.0 * squared(point));
         let shapes: Vec<Profile> = (0..areas.len())
-            .map(|point| Profile::new(1.0, places[point][0], 2.0 * squared(point) - curvature))
+            .map(|point| Profile::new(1.0, positions[point][0], 2.0 * squared(point) - curvature))
             .collect();
         let squares = Profile::from_fn(|k, _| mean(&|point| shapes[point][k].powi(2)));
-        Self { areas, total, radius, places, shapes, curvature, squares }
+        Self { areas, total, radius, positions, shapes, curvature, squares }
     }
 
     /// Value of a profile and its derivative along x at a point. Beyond the disc the profile continues in proportion to the
     /// logarithm of the distance, as the displacement around steady heat does, with the same inclination at the edge.
     pub(super) fn elevation(&self, point: usize, profile: Profile) -> [f64; 2] {
-        let [xi, upsilon] = self.places[point];
+        let [xi, upsilon] = self.positions[point];
         let distance = xi.hypot(upsilon);
         let squared = distance * distance;
         // Factor of ξ, η + 1, and their derivatives along x.

@@ -126,11 +126,11 @@ impl StageProblem<'_> {
             let stored = conduction.mass[i] * state.enthalpy;
             residual[i] = if conduction.on_base(i) { 0.0 } else { self.rhs[i] - stored - conducted[i] };
         }
-        let places = conduction.contact_places.iter().enumerate();
-        let contact_slopes = places.map(|(point, &place)| {
-            let (flow, slope) = self.step.heat.flow(point, rise[place]);
-            residual[place] += scale * flow;
-            slope.min(0.0) / self.kirchhoff.properties.conductivity().value(rise[place])
+        let indices = conduction.contact_indices.iter().enumerate();
+        let contact_slopes = indices.map(|(point, &index)| {
+            let (flow, slope) = self.step.heat.flow(point, rise[index]);
+            residual[index] += scale * flow;
+            slope.min(0.0) / self.kirchhoff.properties.conductivity().value(rise[index])
         });
         let contact_slopes = contact_slopes.collect();
         let state = HeatState { potential, rise, enthalpy };
@@ -143,9 +143,9 @@ impl StageProblem<'_> {
         let body: f64 = (potential.iter().zip(&now.capacities).zip(&now.conducted))
             .map(|((x, capacity), conducted)| x * (capacity * x + conducted))
             .sum();
-        let places = self.step.conduction.contact_places.iter();
+        let indices = self.step.conduction.contact_indices.iter();
         let contact: f64 =
-            places.zip(&now.contact_slopes).map(|(&place, slope)| slope * potential[place].powi(2)).sum();
+            indices.zip(&now.contact_slopes).map(|(&index, slope)| slope * potential[index].powi(2)).sum();
         (body - self.step.scale() * contact).max(0.0).sqrt()
     }
 
@@ -204,8 +204,8 @@ impl StageProblem<'_> {
         // The Jacobian times the step is the part of the residual that is gone.
         let mut conducted: Vec<f64> =
             (0..n).map(|i| now.residual[i] - r[i] - now.capacities[i] * potential[i]).collect();
-        for (&place, slope) in conduction.contact_places.iter().zip(&now.contact_slopes) {
-            conducted[place] += self.step.scale() * slope * potential[place];
+        for (&index, slope) in conduction.contact_indices.iter().zip(&now.contact_slopes) {
+            conducted[index] += self.step.scale() * slope * potential[index];
         }
         Direction { potential, conducted }
     }

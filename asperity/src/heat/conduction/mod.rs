@@ -106,7 +106,7 @@ pub struct Conduction {
     mass: Vec<f64>,
     /// Factors for the last step sizes used.
     cache: Vec<(f64, Arc<StepMatrix>)>,
-    contact_places: Vec<usize>,
+    contact_indices: Vec<usize>,
     /// None where specific heat and conductivity are constant.
     varying: Option<Kirchhoff>,
     /// The body that faces the contact, if it conducts.
@@ -125,7 +125,7 @@ impl Conduction {
         let columns = mesh.sectors.columns();
         let mass = mesh.nodal_volumes().iter().map(|v| capacity * v).collect();
         let contact = mesh.meridian.contact.iter();
-        let contact_places =
+        let contact_indices =
             contact.flat_map(|&n| (0..columns).map(move |j| n as usize * columns + j)).collect();
         let pattern = HarmonicPattern::new(&mesh, FieldKind::Scalar)?;
         let entries = [(capacity, 0.0), (0.0, capacity)].map(|(mass, conductivity)| {
@@ -137,7 +137,7 @@ impl Conduction {
             capacity,
             mass,
             cache: Vec::new(),
-            contact_places,
+            contact_indices,
             varying: None,
             counterface: None,
             tried: None,
@@ -174,11 +174,11 @@ impl Conduction {
     pub fn elevation(&self, area: impl Fn(usize) -> f64) -> Option<Vec<[f64; 2]>> {
         let disc = Some(self.contact_disc(area)).filter(|disc| disc.total > 0.0)?;
         let profile = self.counterface.as_ref()?.height_tried()?;
-        Some((0..self.contact_places.len()).map(|point| disc.elevation(point, profile)).collect())
+        Some((0..self.contact_indices.len()).map(|point| disc.elevation(point, profile)).collect())
     }
 
     fn contact_disc(&self, area: impl Fn(usize) -> f64) -> ContactDisc {
-        let areas = (0..self.contact_places.len()).map(area).collect();
+        let areas = (0..self.contact_indices.len()).map(area).collect();
         let (radii, angles) = (self.mesh.meridian.contact_radii(), self.mesh.sectors.angles());
         ContactDisc::new(areas, |point| {
             let (sin, cos) = angles[point % angles.len()].sin_cos();
@@ -250,8 +250,8 @@ impl Conduction {
         Ok((rise, balance))
     }
 
-    fn on_base(&self, place: usize) -> bool {
-        self.mesh.meridian.is_base[place / self.mesh.sectors.columns()]
+    fn on_base(&self, index: usize) -> bool {
+        self.mesh.meridian.is_base[index / self.mesh.sectors.columns()]
     }
 
     /// Heat per time that leaves through the base at a potential Θ; the sum over θ has the mean harmonic alone.

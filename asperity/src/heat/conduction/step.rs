@@ -143,7 +143,7 @@ impl Step<'_> {
             return solver.solve(self, rhs, guess, 0.0);
         };
         let (disc, resistance) = (&facing.disc, facing.resistance);
-        let rise_of = |rise: &[f64], point: usize| rise[self.conduction.contact_places[point]];
+        let rise_of = |rise: &[f64], point: usize| rise[self.conduction.contact_indices[point]];
         let frictional = |rise: &[f64]| disc.profile(|point| self.heat.flow(point, rise_of(rise, point)).0);
         let at_start = frictional(&guess.rise);
         // Into the counterface if friction generated what it does at the start of the stage.
@@ -184,9 +184,9 @@ impl Step<'_> {
 
     /// Heat per time through the contact, net, and the part lost to the flat.
     fn flows(&self, stage: &HeatState) -> (f64, f64) {
-        let places = self.conduction.contact_places.iter().enumerate();
-        places.fold((0.0, 0.0), |(net, lost), (i, &place)| {
-            let rise = stage.rise[place];
+        let indices = self.conduction.contact_indices.iter().enumerate();
+        indices.fold((0.0, 0.0), |(net, lost), (i, &index)| {
+            let rise = stage.rise[index];
             (net + self.heat.flow(i, rise).0, lost + self.heat.loss(i, rise))
         })
     }

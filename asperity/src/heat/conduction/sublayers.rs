@@ -109,12 +109,12 @@ impl Sublayers {
             body[node * columns..][..columns].iter_mut().for_each(|rise| *rise *= sums[node]);
         }
         for (n, node) in self.added[..self.in_first].iter().enumerate() {
-            let place = self.body_nodes + n;
+            let added = self.body_nodes + n;
             for j in 0..columns {
-                let excess = rise[place * columns + j] - node.share * rise[node.below * columns + j];
-                body[node.above * columns + j] += self.volumes[place] * excess;
+                let excess = rise[added * columns + j] - node.share * rise[node.below * columns + j];
+                body[node.above * columns + j] += self.volumes[added] * excess;
             }
-            sums[node.above] += (1.0 - node.share) * self.volumes[place];
+            sums[node.above] += (1.0 - node.share) * self.volumes[added];
         }
         for &node in &self.surface {
             body[node * columns..][..columns].iter_mut().for_each(|rise| *rise /= sums[node]);
@@ -172,8 +172,8 @@ impl Divided<'_> {
         let weight = parts[0].1 + parts[1].1;
         let at =
             |axis: usize| parts.iter().map(|&(n, part)| part * mesh.nodes[n][axis]).sum::<f64>() / weight;
-        let place = [at(0), at(1)];
-        mesh.nodes.push(place);
+        let position = [at(0), at(1)];
+        mesh.nodes.push(position);
         mesh.weights.push(weight);
         mesh.is_base.push(mesh.is_base[above] && mesh.is_base[below]);
         self.added.push(node);

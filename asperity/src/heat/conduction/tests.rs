@@ -80,7 +80,7 @@ fn disc_source(
         t += length;
         dt *= 1.15;
         if t >= end * (1.0 - 1e-12) {
-            let centre = conduction.committed.rise[conduction.contact_places[0]];
+            let centre = conduction.committed.rise[conduction.contact_indices[0]];
             let exact = expected(linear);
             assert!((centre / exact - 1.0).abs() < 0.01, "Fo = {fourier}: {centre} {exact}");
             next = checks.next();
@@ -264,7 +264,7 @@ fn volume_heating_follows_the_enthalpy() {
         let (_, balance) = conduction.advance(1e-9, &body, &none).unwrap();
         conduction.commit();
         assert_eq!(balance.contact, 0.0);
-        let apex = conduction.committed.rise[conduction.contact_places[0]];
+        let apex = conduction.committed.rise[conduction.contact_indices[0]];
         let exact = specific_heat.inverse_integral(400.0 * step as f64);
         assert!((apex - exact).abs() < 1e-6 * exact, "{apex} {exact}");
     }
@@ -318,7 +318,7 @@ fn thin_layers_have_no_temperatures_outside_those_around() {
     let least = conduction.committed.rise.iter().fold(0.0, |least: f64, rise| least.min(*rise));
     assert!(least > -1e-6 * exact, "{least} of {exact}");
     for (ring, &radius) in source.radii.iter().enumerate() {
-        let rise = conduction.committed.rise[conduction.contact_places[ring * source.columns]] / exact;
+        let rise = conduction.committed.rise[conduction.contact_indices[ring * source.columns]] / exact;
         if radius < RADIUS {
             assert!((rise - 1.0).abs() < 0.05, "{radius}: {rise}");
         } else {

@@ -44,8 +44,8 @@ const POINTS_OF_HEIGHT: [usize; 2] = [4, 12];
 const PANELS_AT_A_POINT: f64 = 4.0;
 /// Radius over that of the contact of a disc that stands for a point.
 const POINT: f64 = 1e-3;
-/// Places between the middle of the contact and its edge at which the highest rise is sought.
-const PLACES: i32 = 16;
+/// Positions between the middle of the contact and its edge at which the highest rise is sought.
+const POSITIONS: i32 = 16;
 /// Relative change of contact radius and diffusivity up to which the response in an increment is that of the trial before; the
 /// heat in the history differs by up to twice that of the radius from the heat of the increment.
 const SAME: f64 = 1e-3;
@@ -277,16 +277,16 @@ impl HalfSpace {
         }
     }
 
-    /// Highest rise within a contact of this radius: on its diameter along the motion. Places are denser towards the edge, near which it is at large Péclet numbers.
+    /// Highest rise within a contact of this radius: on its diameter along the motion. Positions are denser towards the edge, near which it is at large Péclet numbers.
     pub fn highest_rise(&self, radius: f64) -> f64 {
-        let rise = |place: i32| {
-            let from_edge = 1.0 - f64::from(place.abs()) / f64::from(PLACES);
-            let downstream = f64::from(place.signum()) * (1.0 - from_edge * from_edge) * radius;
+        let rise = |position: i32| {
+            let from_edge = 1.0 - f64::from(position.abs()) / f64::from(POSITIONS);
+            let downstream = f64::from(position.signum()) * (1.0 - from_edge * from_edge) * radius;
             let point = Disc { radius: POINT * radius, downstream, panel: radius / PANELS_AT_A_POINT };
             self.rise_at(self.history.iter().map(|heat| self.rise(heat, Moment::NOW, point).x).sum())
         };
         // On both sides: after a reversal the hotter one may be upstream.
-        (-PLACES..=PLACES).map(rise).fold(0.0, f64::max)
+        (-POSITIONS..=POSITIONS).map(rise).fold(0.0, f64::max)
     }
 
     /// Fluxes of the stages to start from: those of the increment tried last or, without one, the last flux.

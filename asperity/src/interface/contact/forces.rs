@@ -10,9 +10,9 @@ impl Contact {
                 continue;
             }
             let [radial, hoop] = self.trial[i].traction;
-            residual[self.place(i, 0)] -= self.areas[i] * radial;
-            residual[self.place(i, 1)] -= self.areas[i] * hoop;
-            residual[self.place(i, 2)] += self.areas[i] * self.trial[i].pressure;
+            residual[self.vector_index(i, 0)] -= self.areas[i] * radial;
+            residual[self.vector_index(i, 1)] -= self.areas[i] * hoop;
+            residual[self.vector_index(i, 2)] += self.areas[i] * self.trial[i].pressure;
         }
     }
 
@@ -22,7 +22,7 @@ impl Contact {
             .filter(|&i| self.trial[i].status != Status::Open)
             .map(|i| {
                 let [radial, hoop] = self.trial[i].traction;
-                let at = |c: usize| u[self.place(i, c)];
+                let at = |c: usize| u[self.vector_index(i, c)];
                 self.areas[i] * (radial * at(0) + hoop * at(1) - self.trial[i].pressure * at(2))
             })
             .sum()
@@ -39,7 +39,7 @@ impl Contact {
         let mut load = 0.0;
         for (i, stiffness) in self.stiffness.iter().enumerate() {
             let change = stiffness[2][2] * height(i);
-            force[self.place(i, 2)] += change;
+            force[self.vector_index(i, 2)] += change;
             load += change;
         }
         load
@@ -47,7 +47,7 @@ impl Contact {
 
     /// Change of the load of the half body with a displacement.
     pub fn load_product(&self, u: &[f64]) -> f64 {
-        (0..self.len()).map(|i| self.stiffness[i][2][2] * u[self.place(i, 2)]).sum()
+        (0..self.len()).map(|i| self.stiffness[i][2][2] * u[self.vector_index(i, 2)]).sum()
     }
 
     /// Adds the product of the contact stiffness with a displacement to a force.
@@ -57,10 +57,10 @@ impl Contact {
             if self.trial[i].status == Status::Open {
                 continue;
             }
-            let local: [f64; 3] = std::array::from_fn(|c| u[self.place(i, c)]);
+            let local: [f64; 3] = std::array::from_fn(|c| u[self.vector_index(i, c)]);
             for c in 0..3 {
                 let sum: f64 = (0..3).map(|d| self.stiffness[i][c][d] * local[d]).sum();
-                force[self.place(i, c)] += sum;
+                force[self.vector_index(i, c)] += sum;
             }
         }
     }

@@ -157,17 +157,17 @@ impl Contact {
         self.areas.len()
     }
 
-    /// Place of component c of contact point i in a vector field.
-    pub fn place(&self, point: usize, component: usize) -> usize {
+    /// Index of a component of a contact point in a vector field.
+    pub fn vector_index(&self, point: usize, component: usize) -> usize {
         (self.nodes[point / self.columns] as usize * 3 + component) * self.columns + point % self.columns
     }
 
-    /// Place of contact point i in a scalar field.
-    pub fn scalar_place(&self, point: usize) -> usize {
+    /// Index of a contact point in a scalar field.
+    pub fn scalar_index(&self, point: usize) -> usize {
         self.nodes[point / self.columns] as usize * self.columns + point % self.columns
     }
 
-    /// Tractions at the displacement `u(place)` of the body, given the limit of the shear traction
+    /// Tractions at the displacement `u(index)` of the body, see [`Contact::vector_index`], given the limit of the shear traction
     /// at each point; sets the trial state and the contact stiffness.
     ///
     /// A point outside the last ring that touches transmits friction while its limit is positive: the edge lies in its cell,
@@ -178,7 +178,7 @@ impl Contact {
         for i in (0..self.len()).rev() {
             let (ring, column) = (i / self.columns, i % self.columns);
             let (sin, cos) = self.angles[column].sin_cos();
-            let at = |c: usize| u(self.place(i, c));
+            let at = |c: usize| u(self.vector_index(i, c));
             let relative = [flat.displacement * cos - at(0), -flat.displacement * sin - at(1)];
             let penetration = self.height[ring] + at(2) + flat.interference + self.trial[i].elevation[0];
             let pressure = self.normal_spring[ring] * penetration;

@@ -40,7 +40,7 @@ fn tangent_agrees_with_finite_differences() {
     let u = wave(n, 1e-4, 0.2);
     let d = wave(n, 1.0, 1.3);
     for (limit, stick, slip) in [(f64::INFINITY, true, false), (5e-4, false, true), (6.0, true, true)] {
-        let limit = where_it_touches(&mut contact, |place| u[place], flat, limit);
+        let limit = where_it_touches(&mut contact, |index| u[index], flat, limit);
         let h = 1e-10;
         let at = |contact: &mut Contact, t: f64| {
             let x: Vec<f64> = u.iter().zip(&d).map(|(a, b)| a + t * b).collect();

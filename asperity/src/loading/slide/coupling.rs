@@ -183,7 +183,7 @@ impl Slide<'_> {
         // The predictor determines the points in contact, which do not depend on the shear limits.
         let contact = &mut self.mechanics.contact;
         contact.raise(&elevation);
-        contact.evaluate(|place| start[place], flat, &vec![0.0; contact.len()]);
+        contact.evaluate(|index| start[index], flat, &vec![0.0; contact.len()]);
         contact.set_edges(&edges);
         let mut coupling = Coupling {
             problem: self.problem,

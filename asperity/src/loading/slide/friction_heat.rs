@@ -115,7 +115,7 @@ pub fn contact_rise(contact: &Contact, rise: &[f64]) -> (f64, f64) {
         if share == 0.0 {
             continue;
         }
-        let value = rise[contact.scalar_place(i)];
+        let value = rise[contact.scalar_index(i)];
         largest = largest.max(value);
         sum += share * value;
         area += share;

@@ -51,6 +51,6 @@ pub fn shear_limits(
     hardened: &[f64],
     rise: Option<&[f64]>,
 ) -> Vec<f64> {
-    let rise_at = |i: usize| rise.map_or(0.0, |field| field[contact.scalar_place(i)]);
+    let rise_at = |i: usize| rise.map_or(0.0, |field| field[contact.scalar_index(i)]);
     (0..contact.len()).map(|i| shear_limit_at(problem, contact, i, hardened[i], rise_at(i))).collect()
 }

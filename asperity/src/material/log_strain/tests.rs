@@ -4,7 +4,7 @@ use super::*;
 use crate::material::tensor::{cauchy_green_excess, deformation_gradient};
 
 fn matrix(tensor: &Symmetric<f64>) -> Matrix3<f64> {
-    Matrix3::from_fn(|i, j| tensor[PLACE[i][j]])
+    Matrix3::from_fn(|i, j| tensor[SYMMETRIC_INDEX[i][j]])
 }
 
 fn symmetric(matrix: &Matrix3<f64>) -> Symmetric<f64> {

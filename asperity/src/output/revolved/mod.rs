@@ -152,8 +152,8 @@ impl Plane {
         };
         // Mirrored into 0 to π; constant beyond the first and the last angle, as the mirror image is.
         let folded = if theta > PI { 2.0 * PI - theta } else { theta };
-        let place = (folded * n / PI - 0.5).clamp(0.0, n - 1.0);
-        let linear = |j: usize| (1.0 - (place - j as f64).abs()).max(0.0);
+        let position = (folded * n / PI - 0.5).clamp(0.0, n - 1.0);
+        let linear = |j: usize| (1.0 - (position - j as f64).abs()).max(0.0);
         Self {
             sin: theta.sin(),
             cos: theta.cos(),

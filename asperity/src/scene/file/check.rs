@@ -18,7 +18,7 @@ pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result
             let known: Vec<&str> = keys.iter().map(|key| key.name).collect();
             let full = join(path, name);
             return Err(SceneFileError::UnknownKey {
-                place: source.place(&full),
+                location: source.location(&full),
                 key: full,
                 hint: match meant(path, name) {
                     // Sections of a surface file.

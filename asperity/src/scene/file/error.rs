@@ -1,6 +1,6 @@
 //! Errors of a scene, a request or an override: one line each.
 
-/// Why a scene or a request was refused; the message is one line that names the place
+/// Why a scene or a request was refused; the message is one line that names the location
 /// (a file or a `--set`), the key, the value and what is allowed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneFileError {
@@ -14,14 +14,14 @@ pub enum SceneFileError {
     #[error("--set {}: {}", short(.text), short(.reason))]
     Override { text: String, reason: String },
     /// An unknown key (full path) or section in a file or override; `hint` is the nearest known key, or all of them.
-    #[error("{}: unknown key {}; {hint}", short(.place), short(.key))]
-    UnknownKey { place: String, key: String, hint: String },
+    #[error("{}: unknown key {}; {hint}", short(.location), short(.key))]
+    UnknownKey { location: String, key: String, hint: String },
     /// A key without a default, or several, is not given; `allowed` is what it may be.
-    #[error("{}: {key} is missing; it must be {allowed}", short(.place))]
-    Missing { place: String, key: String, allowed: String },
+    #[error("{}: {key} is missing; it must be {allowed}", short(.location))]
+    Missing { location: String, key: String, allowed: String },
     /// A value of the wrong type or out of range.
-    #[error("{}: {} = {}: must be {allowed}", short(.place), short(.key), short(.value))]
-    Invalid { place: String, key: String, value: String, allowed: String },
+    #[error("{}: {} = {}: must be {allowed}", short(.location), short(.key), short(.value))]
+    Invalid { location: String, key: String, value: String, allowed: String },
 }
 
 /// The beginning of a text that is too long for a message.

@@ -19,7 +19,7 @@ pub struct Source {
 
 impl Source {
     /// The override that set the key at `path`, or the file with the line of the key.
-    pub fn place(&self, path: &str) -> String {
+    pub fn location(&self, path: &str) -> String {
         let sets = |set: &str| is_within(set, path) || is_within(path, set);
         if let Some((_, text)) = self.overrides.iter().rev().find(|(set, _)| sets(set)) {
             return format!("--set {text}");
@@ -58,7 +58,7 @@ impl Source {
 
     pub fn invalid(&self, key: &str, value: impl ToString, allowed: impl Into<String>) -> SceneFileError {
         SceneFileError::Invalid {
-            place: self.place(key),
+            location: self.location(key),
             key: key.to_owned(),
             // A message is one line, whatever the value.
             value: readable(value.to_string()),
@@ -67,7 +67,7 @@ impl Source {
     }
 
     pub fn missing(&self, key: impl Into<String>, allowed: impl Into<String>) -> SceneFileError {
-        SceneFileError::Missing { place: self.file.clone(), key: key.into(), allowed: allowed.into() }
+        SceneFileError::Missing { location: self.file.clone(), key: key.into(), allowed: allowed.into() }
     }
 }
 

@@ -8,8 +8,8 @@ use crate::scene::file::Request;
 
 /// Deviation of the interpolated constant, relative to the material's, that is worth adding a temperature.
 const NOTABLE: f64 = 0.05;
-/// Places between two temperatures at which both are compared.
-const PLACES: usize = 64;
+/// Divisions between two temperatures, at whose ends both are compared.
+const DIVISIONS: usize = 64;
 
 /// A constant that is interpolated between the temperatures of a table, and the key of its law.
 type Constant = (&'static str, &'static str, fn(&Scene) -> f64);
@@ -28,8 +28,8 @@ impl Request {
             let (name, key, value) = constant;
             let at = |temperature: f64| value(&self.template.at_temperature(temperature));
             let curve = Steffen::new(self.temperatures.clone(), self.templates().iter().map(value).collect());
-            let deviations = (1..PLACES).map(|place| {
-                let temperature = pair[0] + (pair[1] - pair[0]) * place as f64 / PLACES as f64;
+            let deviations = (1..DIVISIONS).map(|division| {
+                let temperature = pair[0] + (pair[1] - pair[0]) * division as f64 / DIVISIONS as f64;
                 (curve.value(temperature) / at(temperature) - 1.0, temperature)
             });
             let (worst, temperature) =

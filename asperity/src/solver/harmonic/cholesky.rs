@@ -22,8 +22,8 @@ pub struct FactorPattern {
     /// Start of each column; in a column the diagonal is first and the rows are in ascending order.
     column_start: Vec<usize>,
     row: Vec<u32>,
-    /// Position in L of each entry of the upper triangle of the matrix.
-    place: Vec<u32>,
+    /// Index in L of each entry of the upper triangle of the matrix.
+    entry_in_factor: Vec<u32>,
     /// First column of each panel.
     panel_start: Vec<usize>,
     /// For each panel: the earlier panels that update it, and for each of these the offset of its first row inside
@@ -38,13 +38,13 @@ impl FactorPattern {
     pub fn new(column_start: &[usize], row: &[usize], upper_start: &[usize], upper_row: &[usize]) -> Self {
         let n = column_start.len() - 1;
         let rows = |j: usize| &row[column_start[j]..column_start[j + 1]];
-        let mut place = Vec::with_capacity(upper_row.len());
+        let mut entry_in_factor = Vec::with_capacity(upper_row.len());
         let mut panel_start = vec![0];
         for j in 0..n {
             assert!(rows(j)[0] == j && rows(j).is_sorted());
             for &i in &upper_row[upper_start[j]..upper_start[j + 1]] {
                 let entry = rows(i).binary_search(&j).expect("L has the entries of the matrix");
-                place.push((column_start[i] + entry) as u32);
+                entry_in_factor.push((column_start[i] + entry) as u32);
             }
             let first = panel_start[panel_start.len() - 1];
             if j > 0 && (j == first + WIDEST || rows(j - 1)[1..] != *rows(j)) {
@@ -54,8 +54,14 @@ impl FactorPattern {
         panel_start.push(n);
         let row = row.iter().map(|&i| i as u32).collect();
         let column_start = column_start.to_vec();
-        let mut pattern =
-            Self { column_start, row, place, panel_start, update_start: vec![0], update: Vec::new() };
+        let mut pattern = Self {
+            column_start,
+            row,
+            entry_in_factor,
+            panel_start,
+            update_start: vec![0],
+            update: Vec::new(),
+        };
         pattern.find_updates();
         pattern
     }
@@ -102,8 +108,8 @@ impl FactorPattern {
         stop: &StopRequest,
     ) -> Result<Vec<Lanes<M>>, FactorError> {
         let mut lower = vec![[0.0; M]; self.row.len()];
-        for (k, &place) in self.place.iter().enumerate() {
-            lower[place as usize] = value(k);
+        for (k, &entry) in self.entry_in_factor.iter().enumerate() {
+            lower[entry as usize] = value(k);
         }
         // Position of each row in the panel, and the dense panel, row by row.
         let mut local = vec![0; self.column_start.len() - 1];

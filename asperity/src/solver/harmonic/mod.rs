@@ -169,7 +169,7 @@ impl HarmonicFactors {
     pub fn to_modal(&self, field: &[f64], modal: &mut [f64]) {
         let size = self.node_size();
         for (node, force) in field.chunks_exact(size).enumerate() {
-            if let Some(first) = self.first_place(node) {
+            if let Some(first) = self.first_position(node) {
                 self.node_to_modal(node, force, &mut modal[first * self.harmonics()..][..size]);
             }
         }
@@ -179,7 +179,7 @@ impl HarmonicFactors {
     pub fn to_nodal(&self, modal: &[f64], field: &mut [f64]) {
         let size = self.node_size();
         for (node, values) in field.chunks_exact_mut(size).enumerate() {
-            match self.first_place(node) {
+            match self.first_position(node) {
                 Some(first) => self.node_to_nodal(node, &modal[first * self.harmonics()..][..size], values),
                 None => values.fill(0.0),
             }
@@ -191,10 +191,10 @@ impl HarmonicFactors {
         self.kind.components() * self.harmonics()
     }
 
-    /// Place of the first component of a node, unless it is fixed; those of the others follow.
-    fn first_place(&self, node: usize) -> Option<usize> {
-        let place = self.position[node * self.kind.components()];
-        (place != ABSENT).then_some(place as usize)
+    /// Position of the first component of a node in the elimination order, unless it is fixed; those of the others follow.
+    fn first_position(&self, node: usize) -> Option<usize> {
+        let position = self.position[node * self.kind.components()];
+        (position != ABSENT).then_some(position as usize)
     }
 
     /// Harmonics of the force on one node that is not fixed, both over components.

@@ -41,9 +41,9 @@ impl HarmonicPattern {
         let components = kind.components();
         let order = elimination_order(mesh)?;
         let mut position = vec![ABSENT; mesh.node_count() * components];
-        for (place, &node) in order.iter().enumerate() {
+        for (rank, &node) in order.iter().enumerate() {
             for c in 0..components {
-                position[node * components + c] = (place * components + c) as u32;
+                position[node * components + c] = (rank * components + c) as u32;
             }
         }
         let unknowns = order.len() * components;
@@ -66,14 +66,14 @@ impl HarmonicPattern {
             column.start + self.row[column].binary_search(&i).expect("entry is in the pattern")
         };
         for (e, element) in mesh.elements.iter().enumerate() {
-            let place: Vec<u32> = (0..rows)
+            let positions: Vec<u32> = (0..rows)
                 .map(|i| self.position[element.nodes[i / components] as usize * components + i % components])
                 .collect();
             let axis: Vec<bool> = element.nodes.iter().map(|&n| mesh.meridian.on_axis(n as usize)).collect();
             // Where each entry goes is the same for all harmonics.
             let mut targets = Vec::with_capacity(rows * rows);
-            for (i, &p) in place.iter().enumerate() {
-                for (j, &q) in place.iter().enumerate() {
+            for (i, &p) in positions.iter().enumerate() {
+                for (j, &q) in positions.iter().enumerate() {
                     if p != ABSENT && q != ABSENT && p <= q {
                         targets.push((i * rows + j, entry(p as usize, q as usize)));
                     }
@@ -92,9 +92,9 @@ impl HarmonicPattern {
             let mut absent = vec![false; self.unknowns];
             for node in (0..mesh.node_count()).filter(|&n| mesh.meridian.on_axis(n)) {
                 for c in (0..components).filter(|&c| !self.exists_on_axis(c, m)) {
-                    let place = self.position[node * components + c];
-                    if place != ABSENT {
-                        absent[place as usize] = true;
+                    let position = self.position[node * components + c];
+                    if position != ABSENT {
+                        absent[position as usize] = true;
                     }
                 }
             }
@@ -199,8 +199,8 @@ impl HarmonicPattern {
             }
             // Diagonals are stored separately: j + 1 of them come before.
             for at in columns[j] + 1..columns[j + 1] {
-                let place = (at - j - 1) * lanes + first;
-                factors.triangle.block[place..place + M].copy_from_slice(&lower[at]);
+                let start = (at - j - 1) * lanes + first;
+                factors.triangle.block[start..start + M].copy_from_slice(&lower[at]);
             }
         }
         let (rows, dense) = (self.symbolic.row_idx(), self.unknowns - self.interior);
@@ -249,7 +249,7 @@ fn elimination_order(mesh: &RevolvedMesh) -> Result<Vec<usize>, FactorError> {
     Ok(order.into_iter().map(|i| interior[i]).chain(contact).collect())
 }
 
-/// Compressed columns of the upper triangle over the places `position` of nodes and components; those of the contact
+/// Compressed columns of the upper triangle over the positions `position` of nodes and components; those of the contact
 /// are dense.
 fn upper_triangle(
     mesh: &RevolvedMesh,

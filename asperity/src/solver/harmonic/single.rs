@@ -24,8 +24,8 @@ pub struct SingleFactors {
     rings: usize,
     /// Nodes that are not on the contact.
     interior: usize,
-    /// Place of each node of the mesh, unless it is fixed.
-    place: Vec<Option<u32>>,
+    /// Position of each node of the mesh in the elimination order, unless it is fixed.
+    position: Vec<Option<u32>>,
     triangle: BlockTriangle<f32>,
     /// The contact's part of the factor in double precision, dense over (slot, component), where
     /// slot 0 is the outermost ring: `[(i*n + j)*harmonics + m]`.
@@ -41,14 +41,14 @@ impl SingleFactors {
         let mut single = Self {
             rings: factors.contact_unknowns() / SIZE,
             interior: factors.interior / SIZE,
-            place: Vec::new(),
+            position: Vec::new(),
             triangle: empty,
             contact: contact_factor(factors),
         };
         (0..single.interior).for_each(|node| single.add_interior_column(factors, node));
         (0..single.rings).for_each(|slot| single.add_contact_column(slot));
-        let place = |node| factors.first_place(node).map(|first| single.reversed(first / SIZE) as u32);
-        single.place = (0..factors.on_axis.len()).map(place).collect();
+        let position = |node| factors.first_position(node).map(|first| single.reversed(first / SIZE) as u32);
+        single.position = (0..factors.on_axis.len()).map(position).collect();
         single
     }
 
@@ -168,9 +168,9 @@ impl SingleFactors {
         let size = SIZE * self.harmonics();
         let mut modal = vec![0.0; size];
         for node in nodes {
-            let Some(place) = self.place(node) else { continue };
+            let Some(position) = self.position(node) else { continue };
             factors.node_to_modal(node, &force[node * size..][..size], &mut modal);
-            x[place * size..][..size].iter_mut().zip(&modal).for_each(|(x, &value)| *x = value as f32);
+            x[position * size..][..size].iter_mut().zip(&modal).for_each(|(x, &value)| *x = value as f32);
         }
     }
 
@@ -186,31 +186,31 @@ impl SingleFactors {
         let mut modal = vec![0.0; size];
         for node in nodes {
             let values = &mut field[node * size..][..size];
-            let Some(place) = self.place(node) else {
+            let Some(position) = self.position(node) else {
                 values.fill(0.0);
                 continue;
             };
-            modal.iter_mut().zip(&x[place * size..]).for_each(|(value, &x)| *value = f64::from(x));
+            modal.iter_mut().zip(&x[position * size..]).for_each(|(value, &x)| *value = f64::from(x));
             factors.node_to_nodal(node, &modal, values);
         }
     }
 
     /// Number of nodes of the mesh.
     pub fn nodes(&self) -> usize {
-        self.place.len()
+        self.position.len()
     }
 
-    /// Place of a node of the mesh, unless it is fixed.
-    pub fn place(&self, node: usize) -> Option<usize> {
-        self.place[node].map(|place| place as usize)
+    /// Position of a node of the mesh in the elimination order, unless it is fixed.
+    pub fn position(&self, node: usize) -> Option<usize> {
+        self.position[node].map(|position| position as usize)
     }
 
-    /// Places before those of the innermost `rings`, in the order of elimination.
-    pub fn places_before(&self, rings: usize) -> Range<u32> {
+    /// Positions before those of the innermost `rings`, in the order of elimination.
+    pub fn positions_before(&self, rings: usize) -> Range<u32> {
         0..(self.interior + self.rings - rings) as u32
     }
 
-    /// Marks also what the marked places are eliminated into: a force on these alone leaves the rest of a forward
+    /// Marks also what the marked positions are eliminated into: a force on these alone leaves the rest of a forward
     /// sweep at zero. The contact is always marked.
     pub fn close(&self, marked: &mut [bool]) {
         marked[self.interior..].fill(true);
@@ -222,10 +222,10 @@ impl SingleFactors {
         }
     }
 
-    /// Eliminates `places`, which rise.
-    pub fn forward(&self, x: &mut [f32], places: &[u32]) {
-        dispatch! { <E> fn(single: &SingleFactors = self, x: &mut [f32] = x, places: &[u32] = places) {
-            let columns = places.iter().map(|&j| j as usize);
+    /// Eliminates `positions`, which rise.
+    pub fn forward(&self, x: &mut [f32], positions: &[u32]) {
+        dispatch! { <E> fn(single: &SingleFactors = self, x: &mut [f32] = x, positions: &[u32] = positions) {
+            let columns = positions.iter().map(|&j| j as usize);
             match single.harmonics() {
                 1 => single.triangle.forward_in_plane(x, columns),
                 _ => single.triangle.forward::<SIZE>(x, columns),
@@ -233,10 +233,10 @@ impl SingleFactors {
         }}
     }
 
-    /// Substitutes `places` back, which rise, given the displacement of what they are eliminated into.
-    pub fn backward(&self, x: &mut [f32], places: &[u32]) {
-        dispatch! { <E> fn(single: &SingleFactors = self, x: &mut [f32] = x, places: &[u32] = places) {
-            let columns = places.iter().rev().map(|&j| j as usize);
+    /// Substitutes `positions` back, which rise, given the displacement of what they are eliminated into.
+    pub fn backward(&self, x: &mut [f32], positions: &[u32]) {
+        dispatch! { <E> fn(single: &SingleFactors = self, x: &mut [f32] = x, positions: &[u32] = positions) {
+            let columns = positions.iter().rev().map(|&j| j as usize);
             match single.harmonics() {
                 1 => single.triangle.backward_in_plane(x, columns),
                 _ => single.triangle.backward::<SIZE, 1>(x, columns),

@@ -53,7 +53,7 @@ const fn triangle_size(components: usize) -> usize {
     components * (components + 1) / 2
 }
 
-/// Place of L_rc, r > c, in a diagonal block.
+/// Index of L_rc, r > c, in a diagonal block.
 const fn below_diagonal(components: usize, r: usize, c: usize) -> usize {
     components + r * (r - 1) / 2 + c
 }
@@ -215,8 +215,8 @@ fn added<T: Real, const C: usize, const G: usize, const M: usize>(
     sums: &[[[[T; M]; C]; C]; G],
 ) -> [[T; M]; C] {
     let mut total = sums[G - 1][C - 1];
-    for place in (0..G * C - 1).rev() {
-        let sum = &sums[place / C][place % C];
+    for index in (0..G * C - 1).rev() {
+        let sum = &sums[index / C][index % C];
         for c in 0..C {
             for l in 0..M {
                 total[c][l] = sum[c][l] + total[c][l];

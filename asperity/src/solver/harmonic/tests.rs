@@ -23,8 +23,8 @@ impl HarmonicFactors {
     }
 }
 
-/// Places of all columns of an element's displacement in a field.
-fn element_places(mesh: &RevolvedMesh, element: &Element) -> Vec<usize> {
+/// Indices of all columns of an element's displacement in a field.
+fn element_indices(mesh: &RevolvedMesh, element: &Element) -> Vec<usize> {
     let columns = mesh.sectors.columns();
     let nodes = element.nodes.iter();
     nodes.flat_map(|&n| (0..3 * columns).map(move |i| n as usize * 3 * columns + i)).collect()
@@ -65,8 +65,8 @@ fn plain_stiffness(
     let columns = mesh.sectors.columns();
     let mut forces = vec![0.0; mesh.field_length(VALUES)];
     for element in &mesh.elements {
-        let places = element_places(mesh, element);
-        for &j in &places {
+        let indices = element_indices(mesh, element);
+        for &j in &indices {
             u[j] = 1.0;
             // Only the values of the element's nodes are needed; the rest of the fields stays zero.
             mesh.sectors.differentiate(&VECTOR_PARITY, &u, &mut slope);
@@ -80,7 +80,7 @@ fn plain_stiffness(
                 force.copy_from_slice(of_displacement);
                 mesh.sectors.add_transposed(&VECTOR_PARITY, of_slope, force);
             }
-            for &i in &places {
+            for &i in &indices {
                 if let (Some((p, a)), Some((q, b))) = (expand[i], expand[j])
                     && force[i] != 0.0
                 {

@@ -23,7 +23,7 @@ pub struct Preconditioner {
     factors: Arc<HarmonicFactors>,
     single: SingleFactors,
     /// Positions in the sweeps outside of the dense system.
-    places: Vec<u32>,
+    positions: Vec<u32>,
     /// Number of rings in the dense system, its elastic part, and the Cholesky factor of the whole; index (ring,
     /// component, harmonic), rings from the outside in, as the sweeps have them.
     rings: usize,
@@ -37,7 +37,7 @@ impl Preconditioner {
     pub fn new(factors: Arc<HarmonicFactors>) -> Self {
         let single = SingleFactors::new(&factors);
         Self {
-            places: single.places_before(0).collect(),
+            positions: single.positions_before(0).collect(),
             single,
             factors,
             rings: 0,
@@ -60,12 +60,12 @@ impl Preconditioner {
             let n = 3 * rings * harmonics;
             self.elastic = Mat::zeros(n, n);
             self.single.contact_stiffness(rings, |i, j, m, value| {
-                let place = |i: usize| (3 * (rings - 1 - i / 3) + i % 3) * harmonics + m;
-                self.elastic[(place(i), place(j))] = value as f32;
+                let index = |i: usize| (3 * (rings - 1 - i / 3) + i % 3) * harmonics + m;
+                self.elastic[(index(i), index(j))] = value as f32;
             });
             self.factor = self.elastic.clone();
             self.rings = rings;
-            self.places = self.single.places_before(rings).collect();
+            self.positions = self.single.positions_before(rings).collect();
         }
         self.inside.clear();
         if rings > 0 {
@@ -89,24 +89,24 @@ impl Preconditioner {
     /// `solution` = M⁻¹ `residual`.
     pub fn apply(&self, residual: &[f64], solution: &mut [f64], timings: &mut Timings) {
         let mut sweep = vec![0.0; self.single.len()];
-        self.sweep(0..self.single.nodes(), &self.places, residual, (&mut sweep, solution), timings);
+        self.sweep(0..self.single.nodes(), &self.positions, residual, (&mut sweep, solution), timings);
     }
 
-    /// `solution` = M⁻¹ `residual` on `nodes`, by sweeps over `places`, and the same in harmonics, which are zero before where
+    /// `solution` = M⁻¹ `residual` on `nodes`, by sweeps over `positions`, and the same in harmonics, which are zero before where
     /// there is no residual.
     fn sweep(
         &self,
         nodes: impl Iterator<Item = usize> + Clone,
-        places: &[u32],
+        positions: &[u32],
         residual: &[f64],
         (harmonics, solution): (&mut [f32], &mut [f64]),
         timings: &mut Timings,
     ) {
         let start = Instant::now();
         self.single.load(&self.factors, residual, nodes.clone(), harmonics);
-        self.single.forward(harmonics, places);
+        self.single.forward(harmonics, positions);
         self.solve_dense(harmonics);
-        self.single.backward(harmonics, places);
+        self.single.backward(harmonics, positions);
         self.single.store(&self.factors, harmonics, nodes, solution);
         timings.since(Kernel::Preconditioner, start);
     }

@@ -14,7 +14,7 @@ use crate::solver::timings::{Kernel, Timings};
 pub struct Search {
     /// Where forces work.
     nodes: Vec<usize>,
-    /// Places outside the dense system that forward sweeps reach, and the remaining ones.
+    /// Positions outside the dense system that forward sweeps reach, and the remaining ones.
     within: Vec<u32>,
     beyond: Vec<u32>,
     /// Harmonics within, with those of the dense system.
@@ -28,12 +28,12 @@ pub struct Search {
 impl Search {
     /// With forces on `nodes` alone; the contact stiffness is that of the preconditioner.
     pub fn new(preconditioner: &Preconditioner, nodes: Vec<usize>) -> Self {
-        let Preconditioner { single, places, .. } = preconditioner;
-        let mut marked = vec![false; single.places_before(0).len()];
-        nodes.iter().filter_map(|&node| single.place(node)).for_each(|place| marked[place] = true);
+        let Preconditioner { single, positions, .. } = preconditioner;
+        let mut marked = vec![false; single.positions_before(0).len()];
+        nodes.iter().filter_map(|&node| single.position(node)).for_each(|position| marked[position] = true);
         single.close(&mut marked);
-        let (within, beyond) = places.iter().partition(|&&place| marked[place as usize]);
-        let reached = (0..marked.len()).filter(|&place| marked[place]);
+        let (within, beyond) = positions.iter().partition(|&&position| marked[position as usize]);
+        let reached = (0..marked.len()).filter(|&position| marked[position]);
         let zeros = || vec![0.0; single.len()];
         Self {
             entries: Runs::of_blocks(reached, single.len() / marked.len()),

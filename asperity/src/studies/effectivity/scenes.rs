@@ -115,8 +115,8 @@ fn largest_of_table(preset: &str) -> f64 {
 
 /// From the smallest one over a `range`, to two digits.
 fn interference(position: usize, range: f64) -> f64 {
-    let place = (GOLDEN_RATIO * (position + 1) as f64).fract();
-    let interference = SMALLEST * range.powf(place);
+    let fraction = (GOLDEN_RATIO * (position + 1) as f64).fract();
+    let interference = SMALLEST * range.powf(fraction);
     let digits = 10f64.powf(1.0 - interference.log10().floor());
     (interference * digits).round() / digits
 }
@@ -128,7 +128,7 @@ impl StudyScene {
         let kinematics = if self.strain_by_press { "auto" } else { "finite" };
         let rate = if self.rate_law { "rate = { law = \"johnson-cook\" }\n" } else { "" };
         let (slip_distance, counterface) = if self.as_in_tables {
-            // As in the table of titanium, whose body shears in place of the interface beyond.
+            // As in the table of titanium, whose body shears in fraction of the interface beyond.
             let slip_distance = if preset == "titanium-6al4v" { 10.0 } else { 20.0 };
             (slip_distance, format!("[counterface]\npreset = \"{preset}\"\nelastic = false\n"))
         } else {

@@ -17,7 +17,7 @@ fn finished() -> Finished {
     Finished::new(&outcome, &slip_grid(2.0), 298.0)
 }
 
-fn place() -> (tempfile::TempDir, PathBuf) {
+fn journal_path() -> (tempfile::TempDir, PathBuf) {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("table.nc.part");
     (directory, path)
@@ -29,7 +29,7 @@ fn open(path: &Path, resume: bool) -> Result<(Journal, Vec<(Point, CellResult)>)
 
 /// Three failures, at 0, 1 and 2 ω_c.
 fn journal_of_three() -> (tempfile::TempDir, PathBuf) {
-    let (directory, path) = place();
+    let (directory, path) = journal_path();
     let (mut journal, _) = open(&path, false).unwrap();
     for k in 0..3 {
         journal.record(at(f64::from(k), 0.0), &Err(format!("reason {k}"))).unwrap();
@@ -39,7 +39,7 @@ fn journal_of_three() -> (tempfile::TempDir, PathBuf) {
 
 #[test]
 fn cells_come_back_bit_for_bit() {
-    let (_directory, path) = place();
+    let (_directory, path) = journal_path();
     let (mut journal, found) = open(&path, false).unwrap();
     assert!(found.is_empty());
     journal.record(at(0.1 + 0.2, 2e-7), &Ok(finished())).unwrap();
@@ -66,7 +66,7 @@ fn a_damaged_line_loses_only_its_cell() {
 
 #[test]
 fn other_requests_and_unasked_continuations_are_refused() {
-    let (_directory, path) = place();
+    let (_directory, path) = journal_path();
     Journal::open(&path, "a = 1\nb = 2\n", None, false).unwrap();
     let refused = |request: &str, resume: bool| {
         let error = Journal::open(&path, request, None, resume).err().unwrap();
@@ -85,7 +85,7 @@ fn other_requests_and_unasked_continuations_are_refused() {
 
 #[test]
 fn a_journal_of_another_build_is_refused() {
-    let (_directory, path) = place();
+    let (_directory, path) = journal_path();
     let refused = |header: &Header| {
         std::fs::write(&path, encode(header).unwrap()).unwrap();
         match open(&path, true) {
@@ -110,7 +110,7 @@ fn a_journal_of_another_build_is_refused() {
 /// Files of others keep every byte, with --resume and without.
 #[test]
 fn a_file_that_is_not_a_journal_of_the_table_is_left_as_it_is() {
-    let (_directory, path) = place();
+    let (_directory, path) = journal_path();
     let own = encode(&Record::new(0, at(1.0, 0.0), &Err("of another request".into()))).unwrap();
     for text in ["0123", "a thesis\nof two lines\n", "\n", &format!("damaged\n{own}")] {
         for resume in [true, false] {
@@ -125,7 +125,7 @@ fn a_file_that_is_not_a_journal_of_the_table_is_left_as_it_is() {
 #[cfg(unix)]
 #[test]
 fn a_link_is_not_followed() {
-    let (_directory, path) = place();
+    let (_directory, path) = journal_path();
     let target = path.with_file_name("empty");
     std::fs::write(&target, "").unwrap();
     std::os::unix::fs::symlink(&target, &path).unwrap();
@@ -157,7 +157,7 @@ fn a_journal_cut_anywhere_loses_no_whole_line() {
 /// Whichever byte of the first line is damaged: every result says which request it is of.
 #[test]
 fn results_below_a_damaged_request_are_found() {
-    let (_directory, path) = place();
+    let (_directory, path) = journal_path();
     let (mut journal, _) = open(&path, false).unwrap();
     for interference in [1.0, 2.0] {
         journal.record(at(interference, 0.0), &Err("reason".into())).unwrap();
@@ -179,7 +179,7 @@ fn results_below_a_damaged_request_are_found() {
 
 #[test]
 fn a_journal_in_use_is_refused() {
-    let (_directory, path) = place();
+    let (_directory, path) = journal_path();
     let (journal, _) = open(&path, true).unwrap();
     let error = open(&path, true).err().unwrap().to_string();
     assert!(error.contains("another program"), "{error}");
@@ -192,7 +192,7 @@ fn a_journal_in_use_is_refused() {
 
 #[test]
 fn a_journal_that_was_removed_takes_no_results() {
-    let (_directory, path) = place();
+    let (_directory, path) = journal_path();
     let (mut journal, _) = open(&path, true).unwrap();
     std::fs::remove_file(&path).unwrap();
     let error = journal.record(at(1.0, 0.0), &Err("reason".into())).unwrap_err().to_string();

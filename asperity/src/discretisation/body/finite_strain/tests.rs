@@ -167,9 +167,9 @@ fn response_is_objective() {
             still.commit();
             let mut turned = still.clone();
             let u = smooth(&still, -0.3);
-            let place = deform(&still, &turn);
+            let position = deform(&still, &turn);
             let rotated = rotate_field(&still, &turn, &u);
-            let v: Vec<f64> = place.iter().zip(&rotated).map(|(a, b)| a + b).collect();
+            let v: Vec<f64> = position.iter().zip(&rotated).map(|(a, b)| a + b).collect();
             let (f, g) = (force(&mut still, &u), force(&mut turned, &v));
             assert!(still.trial.largest_plastic_strain() > 0.05);
             for (a, b) in still.trial.deviator.iter().zip(&turned.trial.deviator) {

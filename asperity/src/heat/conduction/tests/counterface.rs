@@ -36,7 +36,7 @@ fn a_counterface_takes_up_heat_where_it_is_generated() {
         let heat = Rim { contact, inner: 0.6 * RADIUS, slip: 0.0 };
         let mut conduction = Conduction::new(&mesh, 1.0, 8).unwrap().with_counterface(counterface);
         heat_for(&mut conduction, &heat, (0.01 * RADIUS).powi(2));
-        conduction.contact_places.iter().map(|&place| conduction.committed.rise[place]).collect()
+        conduction.contact_indices.iter().map(|&index| conduction.committed.rise[index]).collect()
     };
     for effusivity in [1.0, 9.0, 200.0] {
         let left = 1.0 / (1.0 + effusivity);
@@ -61,7 +61,7 @@ fn a_moving_counterface_makes_the_asperity_hotter_downstream() {
         heat_for(&mut conduction, &heat, RADIUS * RADIUS);
         let ring = mesh.meridian.contact_radii().iter().rposition(|&radius| radius < 0.8 * RADIUS).unwrap();
         let columns = mesh.sectors.columns();
-        let rise = |column| conduction.committed.rise[conduction.contact_places[ring * columns + column]];
+        let rise = |column| conduction.committed.rise[conduction.contact_indices[ring * columns + column]];
         [rise(0), rise(columns - 1)]
     };
     let ([down, up], [up_reversed, down_reversed]) = (along_motion(1.0), along_motion(-1.0));
@@ -88,7 +88,7 @@ fn like_bodies_with_varying_properties_share_the_heat() {
             .with_properties(Some(properties.clone()))
             .with_counterface(counterface);
         heat_for(&mut conduction, &heat, time);
-        conduction.committed.rise[conduction.contact_places[0]]
+        conduction.committed.rise[conduction.contact_indices[0]]
     };
     let constant = || Curve::constant(1.0);
     for (specific_heat, conductivity, closer) in

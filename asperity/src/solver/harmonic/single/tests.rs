@@ -29,10 +29,10 @@ fn force(factors: &HarmonicFactors) -> Vec<f64> {
 /// Entry of the modal vector at each entry of a sweep.
 fn order(single: &SingleFactors) -> Vec<usize> {
     let size = SIZE * single.harmonics();
-    let places = single.places_before(0);
-    places
-        .flat_map(|place| (0..size).map(move |i| (place, i)))
-        .map(|(place, i)| single.reversed(place as usize) * size + i)
+    let positions = single.positions_before(0);
+    positions
+        .flat_map(|position| (0..size).map(move |i| (position, i)))
+        .map(|(position, i)| single.reversed(position as usize) * size + i)
         .collect()
 }
 
@@ -41,8 +41,8 @@ fn a_force_on_few_nodes_reaches_what_they_are_eliminated_into() {
     for sectors in [1, 8] {
         let factors = factors(sectors);
         let single = SingleFactors::new(&factors);
-        let all: Vec<u32> = single.places_before(0).collect();
-        let mut marked: Vec<bool> = all.iter().map(|place| place % 50 == 7).collect();
+        let all: Vec<u32> = single.positions_before(0).collect();
+        let mut marked: Vec<bool> = all.iter().map(|position| position % 50 == 7).collect();
         let touched = marked.iter().filter(|&&is| is).count();
         let size = SIZE * single.harmonics();
         let force = force(&factors);
@@ -52,7 +52,8 @@ fn a_force_on_few_nodes_reaches_what_they_are_eliminated_into() {
             .map(|(at, &i)| if marked[at / size] { force[i] as f32 } else { 0.0 })
             .collect();
         single.close(&mut marked);
-        let (within, beyond): (Vec<u32>, Vec<u32>) = all.iter().partition(|place| marked[**place as usize]);
+        let (within, beyond): (Vec<u32>, Vec<u32>) =
+            all.iter().partition(|position| marked[**position as usize]);
         assert!(within.len() > touched + single.rings && !beyond.is_empty());
 
         let mut whole = force.clone();
@@ -80,22 +81,23 @@ fn single_precision_solves_what_double_does() {
 
         let lanes = factors.harmonics();
         for rings in [0, 1, 3, single.rings] {
-            let places: Vec<u32> = single.places_before(rings).collect();
+            let positions: Vec<u32> = single.positions_before(rings).collect();
             let order = order(&single);
             let mut x: Vec<f32> = order.iter().map(|&i| force[i] as f32).collect();
-            single.forward(&mut x, &places);
+            single.forward(&mut x, &positions);
             // The dense system of the innermost rings, harmonic by harmonic.
             let n = SIZE * rings;
             let mut stiffness = vec![nalgebra::DMatrix::<f64>::zeros(n, n); lanes];
             single.contact_stiffness(rings, |i, j, m, value| stiffness[m][(i, j)] = value);
             let first = x.len() - n * lanes;
-            let place = |i: usize, m: usize| first + (SIZE * (rings - 1 - i / SIZE) + i % SIZE) * lanes + m;
+            let position =
+                |i: usize, m: usize| first + (SIZE * (rings - 1 - i / SIZE) + i % SIZE) * lanes + m;
             for (m, stiffness) in stiffness.into_iter().enumerate().filter(|_| n > 0) {
-                let right = nalgebra::DVector::from_fn(n, |i, _| f64::from(x[place(i, m)]));
+                let right = nalgebra::DVector::from_fn(n, |i, _| f64::from(x[position(i, m)]));
                 let left = stiffness.cholesky().unwrap().solve(&right);
-                (0..n).for_each(|i| x[place(i, m)] = left[i] as f32);
+                (0..n).for_each(|i| x[position(i, m)] = left[i] as f32);
             }
-            single.backward(&mut x, &places);
+            single.backward(&mut x, &positions);
             for (&a, &i) in x.iter().zip(&order) {
                 let (a, b) = (f64::from(a), exact[i]);
                 assert!((a - b).abs() < 1e-4 * largest, "{sectors} {rings} {i}: {a} {b}");
@@ -110,12 +112,12 @@ fn instruction_sets_agree_bit_for_bit() {
     for sectors in [1, 4, 8, 12, 16] {
         let factors = factors(sectors);
         let single = SingleFactors::new(&factors);
-        let places: Vec<u32> = single.places_before(0).collect();
+        let positions: Vec<u32> = single.positions_before(0).collect();
         let force = force(&factors);
         let sweep = || {
             let mut x: Vec<f32> = order(&single).iter().map(|&i| force[i] as f32).collect();
-            single.forward(&mut x, &places);
-            single.backward(&mut x, &places);
+            single.forward(&mut x, &positions);
+            single.backward(&mut x, &positions);
             let mut modal = force.clone();
             factors.forward(&mut modal);
             factors.backward(&mut modal);

@@ -67,7 +67,7 @@ fn sheared(interference: f64, finite_strain: bool) -> Mechanics {
     let further: Vec<f64> = mechanics.displacement.iter().map(|u| 1.01 * u).collect();
     let Mechanics { body, contact, internal, .. } = &mut mechanics;
     body.internal_force(&further, None, internal);
-    contact.evaluate(|place| further[place], flat, &stick(contact));
+    contact.evaluate(|index| further[index], flat, &stick(contact));
     mechanics
 }
 
