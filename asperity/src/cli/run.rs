@@ -113,7 +113,7 @@ fn report(
     display: &Display,
 ) -> Result<(), Failure> {
     let about = About { history: provenance::history(&command_line()), incomplete };
-    let clock = Instant::now();
+    let started = Instant::now();
     let saved = program::save(&arguments.output, |path| run_file::write(path, scene, outcome, &about));
     let drawn = outputs::draw(|| figures::run_figure(scene, outcome), &arguments.panel, &arguments.plot);
     let extent = if arguments.vtu_whole { Extent::Whole } else { Extent::Half };
@@ -121,7 +121,7 @@ fn report(
         program::save(directory, |path| vtu::write(path, outcome, extent).map(drop))
     });
     let mut spent = outcome.account.timings;
-    spent.since(Kernel::Output, clock);
+    spent.since(Kernel::Output, started);
     // Results are printed even if the disk is full.
     // Those about the scene were printed before the run.
     display

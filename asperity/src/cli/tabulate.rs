@@ -69,13 +69,13 @@ fn tabulate_request(
         )));
     }
     let table = tabulation.table(provenance::history(&command_line())).map_err(Failure::run)?;
-    let clock = Instant::now();
+    let started = Instant::now();
     table.write(&arguments.output).map_err(|error| {
         let continued = resuming(arguments);
         Failure::Run(format!("{error}; the finished cells are kept in the journal; to continue: {continued}"))
     })?;
     let mut spent = tabulation.timings();
-    spent.since(Kernel::Output, clock);
+    spent.since(Kernel::Output, started);
     let removed = journal.remove().map_err(Failure::run);
     let drawn = outputs::plot(&table, &arguments.figure);
     Failure::all([removed, drawn, report(&tabulation, &table, &spent, arguments, display)])?;

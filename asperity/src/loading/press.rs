@@ -60,7 +60,7 @@ pub fn press_on(
         let interference = problem.interference * next * next;
         let start = extrapolate(&before.1, &mechanics.displacement, before.0, done, interference);
         let committed = mechanics.displacement.clone();
-        let cover = mechanics.contact.contact_fraction.clone();
+        let contact_fraction = mechanics.contact.contact_fraction.clone();
         match press_to(problem, &mut mechanics, interference, start, stop) {
             Ok(increment) => {
                 increments.push(increment);
@@ -71,7 +71,7 @@ pub fn press_on(
             }
             Err(StepFailure::Stopped) => return Err(PressFailure::Stopped),
             Err(failure) => {
-                mechanics.restore(committed, cover);
+                mechanics.restore(committed, contact_fraction);
                 advance *= 0.5;
                 if advance < SHORTEST * usual {
                     let interference = interference / problem.critical_interference;

@@ -157,10 +157,10 @@ pub fn simulate_recorded(
     if scene.model.heat == Switch::On && scene.loading.slip_rate == 0.0 {
         return Err(SimulationError::Unsupported("model.heat = \"on\" at slip rate 0".into()));
     }
-    let clock = Instant::now();
+    let started = Instant::now();
     if let Some((found, note)) = in_pool(|| find_what_is_open(scene, watch))? {
         until_steady::check_fields(recording, &found)?;
-        let seconds = clock.elapsed().as_secs_f64();
+        let seconds = started.elapsed().as_secs_f64();
         let complete = |mut outcome: Outcome| {
             outcome.account.notes.push(note);
             outcome.account.wall_time += seconds;
@@ -173,10 +173,10 @@ pub fn simulate_recorded(
     }
     in_pool(|| {
         // The other presses are made by the runs that start from them.
-        let clock = Instant::now();
+        let started = Instant::now();
         let pressed = pressed::press_coarsely(scene, watch)?;
         watch.progress("press", 1.0, "");
-        let wall_time = clock.elapsed().as_secs_f64();
+        let wall_time = started.elapsed().as_secs_f64();
         let pressed = Pressed { wall_time, ..pressed }.recording(recording.clone());
         slide_in_pool(&pressed, scene.loading.slip_rate, REFINEMENTS, watch)
     })
@@ -235,7 +235,7 @@ fn slide_in_pool(
     refinements: usize,
     watch: &dyn Watch,
 ) -> Result<Outcome, SimulationError> {
-    let clock = Instant::now();
+    let started = Instant::now();
     let runner = Runner::new(pressed, slip_rate, watch)?;
     let mut ladder = runner.ladder()?;
     let mut budget = runner.judge(&ladder);
@@ -274,7 +274,7 @@ fn slide_in_pool(
         }
     }
     watch.progress("slide", 1.0, "");
-    let wall_time = pressed.wall_time + clock.elapsed().as_secs_f64();
+    let wall_time = pressed.wall_time + started.elapsed().as_secs_f64();
     report::report(&runner, ladder, budget, stopped, wall_time)
 }
 

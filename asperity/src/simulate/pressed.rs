@@ -77,7 +77,7 @@ pub struct Pressed {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
-    let clock = Instant::now();
+    let started = Instant::now();
     if let Some(given) = scene.loading.to_be_found() {
         let other = if scene.loading.load.is_some() { "the interference" } else { "a number" };
         let reason = format!("{given} of several slides from one press: give {other}");
@@ -89,7 +89,7 @@ pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationErro
         let others = [pressed.resolution, pressed.resolution.coarse().longer_steps()];
         add_presses(&mut pressed.meshes, &pressed.problem, &others, pressed.contact_radius, watch)?;
         watch.progress("press", 1.0, "");
-        pressed.wall_time = clock.elapsed().as_secs_f64();
+        pressed.wall_time = started.elapsed().as_secs_f64();
         Ok(pressed)
     })
 }
@@ -271,7 +271,7 @@ fn press_mesh(
     /// Layouts that may be tried where the contact reaches the rim of the mesh: its radius is then
     /// not known yet.
     const LAYOUTS_PAST_RIM: usize = 8;
-    let clock = Instant::now();
+    let started = Instant::now();
     let press_increments = resolution.press_increments();
     let size_for = |contact_radius: f64| resolution.mesh_size(contact_radius);
     let on = |mut contact_radius: f64, increments: usize| {
@@ -304,7 +304,7 @@ fn press_mesh(
         displacement,
         increments,
         effort,
-        seconds: clock.elapsed().as_secs_f64(),
+        seconds: started.elapsed().as_secs_f64(),
     })
 }
 

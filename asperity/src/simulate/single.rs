@@ -30,14 +30,14 @@ impl Conditions<'_> {
         watch: &dyn Watch,
     ) -> Result<Run, SimulationError> {
         let Pressed { problem, recording, .. } = self.pressed;
-        let clock = Instant::now();
+        let started = Instant::now();
         let discretisation =
             Discretisation::new(problem, press.size, Collocation::full(resolution.sectors), &|| {
                 watch.cancelled()
             })
             .map_err(|e| press_error(e.into()))?;
         let mut slide = self.start(&press, &discretisation, resolution)?;
-        slide.mechanics.timings.since(Kernel::Setup, clock);
+        slide.mechanics.timings.since(Kernel::Setup, started);
         if let Some(partition) = self.expected_partition() {
             slide.history[0].heat_partition = partition;
         }
@@ -83,7 +83,7 @@ impl Conditions<'_> {
             end => run.failure = end.err(),
         }
         run.timings = slide.mechanics.timings;
-        run.timings.add(Kernel::Rest, clock.elapsed().as_secs_f64() - run.timings.total());
+        run.timings.add(Kernel::Rest, started.elapsed().as_secs_f64() - run.timings.total());
         run.timings.add(Kernel::Press, run.press.seconds);
         Ok(run)
     }

@@ -25,7 +25,7 @@ pub struct Grid<'a, S: Simulator> {
     work: &'a Work<'a>,
     queue: Queue<S::Pressed>,
     watch: &'a dyn TableWatch,
-    clock: Instant,
+    started: Instant,
     ledger: Mutex<Ledger<'a>>,
     /// The journal failed: results would be lost.
     stopped: AtomicBool,
@@ -90,7 +90,7 @@ pub fn run<S: Simulator>(
         // The largest take longest: started last, they would run alone at the end.
         queue: Queue::new(layout.order()),
         watch,
-        clock: Instant::now(),
+        started: Instant::now(),
         ledger: Mutex::new(Ledger { known, journal, forecast, done, error: None }),
         stopped: AtomicBool::new(false),
     };
@@ -179,7 +179,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
     }
 
     fn now(&self) -> f64 {
-        self.clock.elapsed().as_secs_f64()
+        self.started.elapsed().as_secs_f64()
     }
 
     fn lock(&self) -> MutexGuard<'_, Ledger<'a>> {

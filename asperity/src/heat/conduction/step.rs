@@ -20,22 +20,22 @@ const REDUCTION: f64 = 1e-2;
 pub(super) struct StepMatrix {
     pub(super) factors: HarmonicFactors,
     /// Schur complement of the contact, dense over (ring, harmonic).
-    contact: Mat<f64>,
+    schur_complement: Mat<f64>,
 }
 
 impl StepMatrix {
     pub(super) fn new(factors: HarmonicFactors) -> Self {
         let (rings, harmonics) = (factors.contact_unknowns(), factors.harmonics());
-        let mut contact = Mat::zeros(rings * harmonics, rings * harmonics);
+        let mut schur_complement = Mat::zeros(rings * harmonics, rings * harmonics);
         for m in 0..harmonics {
-            let schur = factors.contact_stiffness(m);
+            let complement = factors.schur_complement(m);
             for i in 0..rings {
                 for j in 0..rings {
-                    contact[(i * harmonics + m, j * harmonics + m)] = schur[i * rings + j];
+                    schur_complement[(i * harmonics + m, j * harmonics + m)] = complement[i * rings + j];
                 }
             }
         }
-        Self { factors, contact }
+        Self { factors, schur_complement }
     }
 }
 
@@ -197,7 +197,7 @@ impl Step<'_> {
     pub(super) fn contact_factor(&self, slope: impl Fn(usize) -> f64) -> Result<Llt<f64>, HeatError> {
         let columns = self.matrix.factors.harmonics();
         let table = self.matrix.factors.transform.of(Parity::Even);
-        let mut jacobian = self.matrix.contact.clone();
+        let mut jacobian = self.matrix.schur_complement.clone();
         for ring in 0..self.conduction.mesh.meridian.contact.len() {
             let slopes: Vec<f64> = (0..columns).map(|j| slope(ring * columns + j)).collect();
             for m in 0..self.harmonics_of(ring) {

@@ -31,7 +31,7 @@ const ELEVATIONS: usize = 3;
 const EXCESS_HEAT: f64 = 1.1;
 /// Updates in a row that do not reduce the smallest change so far, after which the shear limits are held: points at the
 /// edge touch and lift off in turn. Converging updates leave 0.1 to 0.7 of the change before.
-const STALLED_UPDATES: usize = 4;
+const STAGNANT_UPDATES: usize = 4;
 
 /// A solved increment; the state itself is the trial state of the mechanics.
 pub struct Equilibrium {
@@ -93,7 +93,7 @@ impl Coupling<'_> {
             (_, since) => *since += 1,
         }
         let agrees = change.max(stretched) <= self.tolerance;
-        self.held = agrees || self.updates_left == 0 || self.smallest.1 == STALLED_UPDATES;
+        self.held = agrees || self.updates_left == 0 || self.smallest.1 == STAGNANT_UPDATES;
         self.updates_left = self.updates_left.saturating_sub(1);
         self.limit = Some(limit.clone());
         let rise = self.conduction.as_ref().zip(rise).map(|(conduction, rise)| conduction.of_body(&rise));
@@ -109,14 +109,14 @@ impl Coupling<'_> {
         iteration: usize,
     ) -> Option<Vec<f64>> {
         let conduction = self.conduction.as_mut()?;
-        let clock = Instant::now();
+        let started = Instant::now();
         // The first iterate takes the heat sources of the previous step.
         self.sources = match iteration {
             0 => self.sources_before.clone(),
             _ => HeatSources::of(self.problem, body, contact, self.dt),
         };
         let result = self.sources.heat(self.problem, conduction, contact, hardened, (self.dt, self.slip));
-        self.heat_time += clock.elapsed().as_secs_f64();
+        self.heat_time += started.elapsed().as_secs_f64();
         match result {
             Ok(result) => {
                 let rise = result.0.clone();
@@ -137,10 +137,10 @@ impl Coupling<'_> {
         if iteration == 0 || self.elevations_left == 0 {
             return None;
         }
-        let clock = Instant::now();
+        let started = Instant::now();
         let area = |point| contact.covered_area(&contact.trial, point);
         let elevation = self.conduction.as_ref()?.elevation(area)?;
-        self.heat_time += clock.elapsed().as_secs_f64();
+        self.heat_time += started.elapsed().as_secs_f64();
         let changes =
             elevation.iter().zip(&contact.trial).map(|(now, state)| (now[0] - state.elevation[0]).abs());
         let change = changes.fold(0.0, f64::max) / self.problem.interference;

@@ -89,7 +89,7 @@ impl Slide<'_> {
         let stop_at = self.recorder.next_slip().filter(|_| slides).map(|slip| slip - motion.path);
         let next = motion.control.next(done, stop_at);
         let committed = self.predictor();
-        let cover = self.mechanics.contact.contact_fraction.clone();
+        let contact_fraction = self.mechanics.contact.contact_fraction.clone();
         let guess = match motion.control.bracket() {
             // What changes in a hold decays: extrapolated over ever longer increments, what the solver's tolerance leaves
             // would grow.
@@ -116,11 +116,11 @@ impl Slide<'_> {
                 }
             }
             Ok(Attempt::PastInception(predictor)) => {
-                self.mechanics.restore(committed.displacement, cover);
+                self.mechanics.restore(committed.displacement, contact_fraction);
                 motion.control.past_inception(done, InceptionBracket { slip: next, predictor });
             }
             Err(failure) => {
-                self.mechanics.restore(committed.displacement, cover);
+                self.mechanics.restore(committed.displacement, contact_fraction);
                 motion.failures += usize::from(taken_before);
                 self.cut_back(motion, failure)?;
             }

@@ -113,7 +113,7 @@ pub struct HarmonicFactors {
     triangle: BlockTriangle<f64>,
     /// Cholesky factor of the Schur complement of the contact unknowns per harmonic, dense
     /// lower triangle, row by row.
-    schur: Vec<f64>,
+    schur_factor: Vec<f64>,
 }
 
 impl HarmonicFactors {
@@ -137,18 +137,18 @@ impl HarmonicFactors {
     }
 
     /// Schur complement S_m of the contact unknowns for harmonic m, row-major.
-    pub fn contact_stiffness(&self, m: usize) -> Vec<f64> {
+    pub fn schur_complement(&self, m: usize) -> Vec<f64> {
         let n = self.contact_unknowns();
-        let lower = &self.schur[m * n * n..(m + 1) * n * n];
-        let mut stiffness = vec![0.0; n * n];
+        let lower = &self.schur_factor[m * n * n..(m + 1) * n * n];
+        let mut complement = vec![0.0; n * n];
         for i in 0..n {
             for j in 0..=i {
                 let sum: f64 = (0..=j).map(|k| lower[i * n + k] * lower[j * n + k]).sum();
-                stiffness[i * n + j] = sum;
-                stiffness[j * n + i] = sum;
+                complement[i * n + j] = sum;
+                complement[j * n + i] = sum;
             }
         }
-        stiffness
+        complement
     }
 
     /// Eliminates the interior: on return the contact part of `modal` is the reduced force.

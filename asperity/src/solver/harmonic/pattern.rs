@@ -161,7 +161,7 @@ impl HarmonicPattern {
                 block: vec![0.0; sparse * lanes],
                 diagonal: vec![0.0; self.interior * lanes],
             },
-            schur: vec![0.0; dense * dense * lanes],
+            schur_factor: vec![0.0; dense * dense * lanes],
         };
         let triangle = &mut factors.triangle;
         for j in 0..self.interior {
@@ -208,7 +208,7 @@ impl HarmonicPattern {
             for at in columns[j]..columns[j + 1] {
                 for l in 0..M {
                     let row = (first + l) * dense + rows[at] - self.interior;
-                    factors.schur[row * dense + j - self.interior] = lower[at][l];
+                    factors.schur_factor[row * dense + j - self.interior] = lower[at][l];
                 }
             }
         }

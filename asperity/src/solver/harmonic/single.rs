@@ -140,9 +140,9 @@ impl SingleFactors {
         self.triangle.block.len() + self.triangle.diagonal.len()
     }
 
-    /// Stiffness of the body at the innermost `rings` while the others are free, for harmonic m between (ring,
+    /// Schur complement of the innermost `rings`, the stiffness of the body at them while the others are free, for harmonic m between (ring,
     /// component) i and j, as `f(i, j, m, value)`.
-    pub fn contact_stiffness(&self, rings: usize, mut f: impl FnMut(usize, usize, usize, f64)) {
+    pub fn schur_complement(&self, rings: usize, mut f: impl FnMut(usize, usize, usize, f64)) {
         let (lanes, n) = (self.harmonics(), SIZE * self.rings);
         let slot = |i: usize| SIZE * (self.rings - 1 - i / SIZE) + i % SIZE;
         let first = n - SIZE * rings;
@@ -251,12 +251,12 @@ fn contact_factor(factors: &HarmonicFactors) -> Vec<f64> {
     let slot = |i: usize| n - SIZE * (i / SIZE + 1) + i % SIZE;
     let mut all = vec![0.0; n * n * lanes];
     for m in 0..lanes {
-        let stiffness = factors.contact_stiffness(m);
+        let complement = factors.schur_complement(m);
         let mut lower = vec![0.0; n * n];
         for i in 0..n {
             for j in 0..=i {
                 let known: f64 = (0..j).map(|k| lower[i * n + k] * lower[j * n + k]).sum();
-                let rest = stiffness[slot(i) * n + slot(j)] - known;
+                let rest = complement[slot(i) * n + slot(j)] - known;
                 lower[i * n + j] = if i == j { rest.sqrt() } else { rest / lower[j * n + j] };
                 all[(i * n + j) * lanes + m] = lower[i * n + j];
             }

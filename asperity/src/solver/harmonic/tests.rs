@@ -15,7 +15,7 @@ impl HarmonicFactors {
         let (n, lanes) = (self.contact_unknowns(), self.harmonics());
         let contact = &mut modal[self.contact_offset()..];
         for m in 0..lanes {
-            let lower = DMatrix::from_row_slice(n, n, &self.schur[m * n * n..(m + 1) * n * n]);
+            let lower = DMatrix::from_row_slice(n, n, &self.schur_factor[m * n * n..(m + 1) * n * n]);
             let force = DVector::from_fn(n, |i, _| contact[i * lanes + m]);
             let solution = Cholesky::pack_dirty(lower).solve(&force);
             (0..n).for_each(|i| contact[i * lanes + m] = solution[i]);

@@ -59,7 +59,7 @@ impl Mechanics {
         let mut so_far = 0.0;
         for iteration in 0..KRYLOV_LIMIT {
             search.apply(&self.preconditioner, &r[..size], &mut z[..size], &mut self.timings);
-            self.add_border(&entries, &r, &mut z);
+            self.solve_bordered_system(&entries, &r, &mut z);
             let next = entries.dot(&r, &z);
             if next <= target || stop() {
                 break;
@@ -90,7 +90,7 @@ impl Mechanics {
         }
         search.finish(&self.preconditioner, &mut z[..size], &mut self.timings);
         direction.iter_mut().zip(&z).take(size).for_each(|(x, z)| *x += z);
-        if let Some(BorderedSystem { direction: along, .. }) = &self.border {
+        if let Some(BorderedSystem { direction: along, .. }) = &self.bordered_system {
             direction.iter_mut().zip(along).for_each(|(x, d)| *x += so_far * d);
         }
     }
@@ -119,12 +119,13 @@ impl Mechanics {
     pub(super) fn precondition(&mut self, residual: &[f64], solution: &mut [f64]) {
         let size = self.internal.len();
         self.preconditioner.apply(&residual[..size], &mut solution[..size], &mut self.timings);
-        self.add_border(&Runs::all(residual), residual, solution);
+        self.solve_bordered_system(&Runs::all(residual), residual, solution);
     }
 
-    /// Adds to a solution at constant interference, where that is unknown, the share of a residual along its direction.
-    fn add_border(&self, entries: &Runs, residual: &[f64], solution: &mut [f64]) {
-        if let Some(BorderedSystem { direction, curvature }) = &self.border {
+    /// Bordered system, where the interference is unknown: adds to the solution at constant interference the share of a residual
+    /// along the direction of the border.
+    fn solve_bordered_system(&self, entries: &Runs, residual: &[f64], solution: &mut [f64]) {
+        if let Some(BorderedSystem { direction, curvature }) = &self.bordered_system {
             let share = entries.dot(direction, residual) / curvature;
             solution[self.internal.len()] = 0.0;
             entries.update(solution, direction, |x, d| *x += share * d);
@@ -136,7 +137,7 @@ impl Mechanics {
         self.preconditioner
             .update(&self.contact, &mut self.timings)
             .map_err(|_| StepFailure::ContactStiffness)?;
-        self.border = None;
+        self.bordered_system = None;
         if let LoadingControl::Load(_) = control {
             let size = self.internal.len();
             let (mut unit, mut direction) = (vec![0.0; size], vec![0.0; size]);
@@ -152,7 +153,7 @@ impl Mechanics {
             if curvature <= 0.0 {
                 return Err(StepFailure::NoContact);
             }
-            self.border = Some(BorderedSystem { direction, curvature });
+            self.bordered_system = Some(BorderedSystem { direction, curvature });
         }
         Ok(())
     }

@@ -102,7 +102,7 @@ pub struct Mechanics {
     pub body: Body,
     pub contact: Contact,
     preconditioner: Preconditioner,
-    border: Option<BorderedSystem>,
+    bordered_system: Option<BorderedSystem>,
     pub displacement: Vec<f64>,
     /// Residual, in the energy norm, at which a step counts as solved, relative to √(Pω).
     pub tolerance: f64,
@@ -121,7 +121,7 @@ impl Mechanics {
     ) -> Self {
         Self {
             internal: vec![0.0; displacement.len()],
-            border: None,
+            bordered_system: None,
             body,
             contact,
             preconditioner: Preconditioner::new(factors),

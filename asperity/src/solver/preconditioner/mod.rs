@@ -59,7 +59,7 @@ impl Preconditioner {
             let harmonics = self.single.harmonics();
             let n = 3 * rings * harmonics;
             self.elastic = Mat::zeros(n, n);
-            self.single.contact_stiffness(rings, |i, j, m, value| {
+            self.single.schur_complement(rings, |i, j, m, value| {
                 let index = |i: usize| (3 * (rings - 1 - i / 3) + i % 3) * harmonics + m;
                 self.elastic[(index(i), index(j))] = value as f32;
             });

@@ -88,7 +88,7 @@ fn single_precision_solves_what_double_does() {
             // The dense system of the innermost rings, harmonic by harmonic.
             let n = SIZE * rings;
             let mut stiffness = vec![nalgebra::DMatrix::<f64>::zeros(n, n); lanes];
-            single.contact_stiffness(rings, |i, j, m, value| stiffness[m][(i, j)] = value);
+            single.schur_complement(rings, |i, j, m, value| stiffness[m][(i, j)] = value);
             let first = x.len() - n * lanes;
             let position =
                 |i: usize, m: usize| first + (SIZE * (rings - 1 - i / SIZE) + i % SIZE) * lanes + m;
