@@ -59,8 +59,8 @@ pub struct Problem {
     pub taylor_quinney: f64,
     /// Rise at which neither body nor interface has any strength.
     pub melting_rise: Option<f64>,
-    /// h_g R/k.
-    pub gap_conductance: f64,
+    /// h_g R/k, Biot number of the gap between asperity and flat.
+    pub gap_biot_number: f64,
     pub units: Units,
 }
 
@@ -154,7 +154,7 @@ impl Problem {
             counterface,
             taylor_quinney: scene.interface.taylor_quinney,
             melting_rise: scene.highest_temperature().map(|highest| highest - scene.loading.temperature),
-            gap_conductance: scene.interface.gap_conductance * scene.radius / material.thermal_conductivity,
+            gap_biot_number: scene.interface.gap_conductance * scene.radius / material.thermal_conductivity,
             units: Units {
                 length: scene.radius,
                 stress: material.yield_strength,

@@ -50,7 +50,7 @@ pub struct Interface {
     pub strength_factor: f64,
     /// f_h, share of the frictional heat that enters the asperity.
     pub heat_partition: f64,
-    /// h_g, W/(m² K).
+    /// h_g, conductance from the contact to a flat that does not conduct, W/(m² K).
     pub gap_conductance: f64,
     /// β, share of the plastic work that becomes heat.
     pub taylor_quinney: f64,

@@ -140,7 +140,7 @@ impl RevolvedMesh {
         self.node_count() * components * self.sectors.columns()
     }
 
-    /// Volume ∫N dV of each node and column (half body), the lumped mass.
+    /// Volume ∫N dV of each node and column (half body); times ρc the lumped heat capacity.
     pub fn nodal_volumes(&self) -> Vec<f64> {
         let columns = self.sectors.columns();
         let mut volumes = vec![0.0; self.field_length(1)];

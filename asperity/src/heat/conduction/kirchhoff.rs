@@ -54,22 +54,22 @@ impl StageSolver for &Kirchhoff {
 /// Iterate of a stage.
 struct Iterate {
     state: HeatState,
-    /// γΔt K Θ.
+    /// γΔt K_T Θ.
     conducted: Vec<f64>,
     residual: Vec<f64>,
-    /// M dH/dΘ.
+    /// C_T dH/dΘ.
     capacities: Vec<f64>,
     /// dq/dΘ of the contact points, not positive.
     contact_slopes: Vec<f64>,
 }
 
-/// Change of the potential, and of γΔt K Θ.
+/// Change of the potential, and of γΔt K_T Θ.
 struct Direction {
     potential: Vec<f64>,
     conducted: Vec<f64>,
 }
 
-/// A stage: M H(Θ) + γΔt K Θ = rhs + γΔt q(θ).
+/// A stage: C_T H(Θ) + γΔt K_T Θ = rhs + γΔt q(θ).
 struct StageProblem<'a> {
     step: &'a Step<'a>,
     kirchhoff: &'a Kirchhoff,
@@ -113,7 +113,7 @@ impl StageProblem<'_> {
         Err(HeatError::NotConverged { residual: last / first.unwrap_or(1.0) })
     }
 
-    /// Iterate of a potential and its γΔt K Θ.
+    /// Iterate of a potential and its γΔt K_T Θ.
     fn iterate(&self, potential: Vec<f64>, conducted: Vec<f64>) -> Iterate {
         let (conduction, scale) = (self.step.conduction, self.step.scale());
         let n = potential.len();
@@ -121,9 +121,9 @@ impl StageProblem<'_> {
         for i in 0..n {
             let state = self.kirchhoff.properties.state(potential[i]);
             rise[i] = state.rise;
-            capacities[i] = conduction.mass[i] * state.capacity;
+            capacities[i] = conduction.heat_capacities[i] * state.capacity;
             enthalpy[i] = state.enthalpy;
-            let stored = conduction.mass[i] * state.enthalpy;
+            let stored = conduction.heat_capacities[i] * state.enthalpy;
             residual[i] = if conduction.on_base(i) { 0.0 } else { self.rhs[i] - stored - conducted[i] };
         }
         let indices = conduction.contact_indices.iter().enumerate();
@@ -179,7 +179,7 @@ impl StageProblem<'_> {
         let target = rho * tolerance * tolerance;
         for _ in 0..KRYLOV_LIMIT {
             for i in 0..n {
-                product[i] = on_p[i] + (now.capacities[i] - conduction.mass[i]) * p[i];
+                product[i] = on_p[i] + (now.capacities[i] - conduction.heat_capacities[i]) * p[i];
             }
             let step = rho / dot(&p, &product);
             if !step.is_finite() {
@@ -243,7 +243,7 @@ impl StageProblem<'_> {
         }
     }
 
-    /// γΔt K Θ, K at k₀.
+    /// γΔt K_T Θ, K at k₀.
     fn conduct(&self, potential: &[f64]) -> Vec<f64> {
         let sectors = &self.step.conduction.mesh.sectors;
         let [mut flow, mut slope, mut on_slope] = [(); 3].map(|()| vec![0.0; potential.len()]);

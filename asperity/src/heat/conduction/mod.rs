@@ -4,14 +4,14 @@
 //! of the enthalpy H = ∫c/c₀ dθ and the potential Θ = ∫k/k₀ dθ (Kirchhoff) that is
 //!
 //! ```text
-//! ρc₀ Ḣ = k₀ ∇²Θ + sources,      discretised  M Ḣ + K Θ = q(θ) + body heat,
+//! ρc₀ Ḣ = k₀ ∇²Θ + sources,      discretised  C_T Ḣ + K_T Θ = q(θ) + body heat,
 //! ```
 //!
-//! with a lumped mass M, on the mesh of the body with its upper layers divided ([`sublayers`]). The enthalpy is advanced, so the heat balance closes whatever peaks and jumps c has. With
-//! constant properties H = Θ = θ.
+//! with the lumped heat capacity C_T, on the mesh of the body with its upper layers divided ([`sublayers`]). The enthalpy is
+//! advanced, so the heat balance closes whatever peaks and jumps c has. With constant properties H = Θ = θ.
 //!
 //! Time: the two-stage L-stable SDIRK of second order (Alexander 1977, SIAM J. Numer. Anal. 14, 1006,
-//! doi:10.1137/0714068), whose stages share the matrix M + γΔt K. Heat that depends on the temperature of the contact
+//! doi:10.1137/0714068), whose stages share the matrix C_T + γΔt K_T. Heat that depends on the temperature of the contact
 //! (softening friction, gap conductance) is implicit. A stage is solved by one of two methods: at constant properties
 //! only the contact is nonlinear, and its Schur complement is iterated ([`contact_iteration`]); otherwise, and where
 //! that fails to converge, a convex function of Θ is minimised ([`kirchhoff`]). Chapter "Conduction" of the book.
@@ -101,9 +101,10 @@ pub struct Conduction {
     /// ρc₀ per kelvin (κ = 1, so also k₀).
     capacity: f64,
     pattern: HarmonicPattern,
-    /// Of M and K in the pattern.
+    /// Entries of C_T and K_T in the pattern.
     entries: [Vec<f64>; 2],
-    mass: Vec<f64>,
+    /// C_T at the nodes.
+    heat_capacities: Vec<f64>,
     /// Factors for the last step sizes used.
     cache: Vec<(f64, Arc<StepMatrix>)>,
     contact_indices: Vec<usize>,
@@ -123,19 +124,19 @@ impl Conduction {
     pub fn new(body: &RevolvedMesh, capacity: f64, sublayers: u32) -> Result<Self, FactorError> {
         let (mesh, sublayers) = Sublayers::divide(body, sublayers);
         let columns = mesh.sectors.columns();
-        let mass = mesh.nodal_volumes().iter().map(|v| capacity * v).collect();
+        let heat_capacities = mesh.nodal_volumes().iter().map(|v| capacity * v).collect();
         let contact = mesh.meridian.contact.iter();
         let contact_indices =
             contact.flat_map(|&n| (0..columns).map(move |j| n as usize * columns + j)).collect();
         let pattern = HarmonicPattern::new(&mesh, FieldKind::Scalar)?;
-        let entries = [(capacity, 0.0), (0.0, capacity)].map(|(mass, conductivity)| {
-            pattern.assemble(&mesh, |e, m| element_matrix(&mesh, e, mass, conductivity, m))
+        let entries = [(capacity, 0.0), (0.0, capacity)].map(|(capacity, conductivity)| {
+            pattern.assemble(&mesh, |e, m| element_matrix(&mesh, e, capacity, conductivity, m))
         });
         Ok(Self {
             pattern,
             entries,
             capacity,
-            mass,
+            heat_capacities,
             cache: Vec::new(),
             contact_indices,
             varying: None,
@@ -186,13 +187,13 @@ impl Conduction {
         })
     }
 
-    /// M + γΔt K, factorised.
+    /// C_T + γΔt K_T, factorised.
     fn step_matrix(&mut self, dt: f64) -> Result<Arc<StepMatrix>, FactorError> {
         if let Some((_, matrix)) = self.cache.iter().find(|(cached, _)| *cached == dt) {
             return Ok(matrix.clone());
         }
-        let [mass, conduction] = &self.entries;
-        let values: Vec<f64> = mass.iter().zip(conduction).map(|(m, k)| m + GAMMA * dt * k).collect();
+        let [capacity, conduction] = &self.entries;
+        let values: Vec<f64> = capacity.iter().zip(conduction).map(|(c, k)| c + GAMMA * dt * k).collect();
         let matrix = Arc::new(StepMatrix::new(self.pattern.factorise(&self.mesh, &values, &|| false)?));
         if self.cache.len() >= KEPT_FACTORS {
             self.cache.remove(0);
@@ -276,15 +277,15 @@ impl Conduction {
     /// Heat in the body after the step that was advanced last, half body: ∫ρc₀H dV.
     pub fn stored(&self) -> f64 {
         let state = self.tried.as_ref().map_or(&self.committed, |tried| &tried.stages[1]);
-        state.enthalpy.iter().zip(&self.mass).map(|(enthalpy, mass)| enthalpy * mass).sum()
+        state.enthalpy.iter().zip(&self.heat_capacities).map(|(enthalpy, capacity)| enthalpy * capacity).sum()
     }
 }
 
-/// Lumped mass plus `conductivity` times conduction of one element for harmonic m, 4 × 4.
+/// Lumped heat capacity plus `conductivity` times conduction of one element for harmonic m, 4 × 4.
 ///
 /// In the products of derivatives along one side of the reference square, the shape functions along the other are lumped
 /// as well: this adds (|∇ξ|² + |∇η|²) hhᵀ/24 with h the hourglass mode. On rectangles it gives the five-point difference,
-/// which with a lumped mass has no temperatures outside those around, however thin the elements; without it the rise
+/// which with a lumped capacity has no temperatures outside those around, however thin the elements; without it the rise
 /// beside a jump of the flux over thin elements is wrong by a tenth, with either sign.
 fn element_matrix(mesh: &RevolvedMesh, e: usize, capacity: f64, conductivity: f64, m: usize) -> Vec<f64> {
     let shapes = shape_at_points();

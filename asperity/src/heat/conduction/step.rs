@@ -16,7 +16,7 @@ const FLUX_TOLERANCE: f64 = 1e-7;
 /// Reduction of the residual in the solution for a flux, from which that for the next flux starts.
 const REDUCTION: f64 = 1e-2;
 
-/// M + γΔt K.
+/// C_T + γΔt K_T.
 pub(super) struct StepMatrix {
     pub(super) factors: HarmonicFactors,
     /// Schur complement of the contact, dense over (ring, harmonic).
@@ -77,7 +77,7 @@ pub(super) struct Integrated {
     pub(super) fluxes: [Profile; 2],
 }
 
-/// Solves the stages of a step: M H(Θ) + γΔt K Θ = rhs + γΔt q(θ).
+/// Solves the stages of a step: C_T H(Θ) + γΔt K_T Θ = rhs + γΔt q(θ).
 pub(super) trait StageSolver {
     /// `guess`: temperatures to start from; `reduction`: of its residual that is enough, where a solution with another heat
     /// flow follows, 0 where none does.
@@ -106,7 +106,7 @@ impl Step<'_> {
         let (conduction, n) = (self.conduction, self.body.len());
         let start = &conduction.committed.enthalpy;
         let right = |content: &dyn Fn(usize) -> f64| -> Vec<f64> {
-            (0..n).map(|i| conduction.mass[i] * content(i) + GAMMA * self.body[i]).collect()
+            (0..n).map(|i| conduction.heat_capacities[i] * content(i) + GAMMA * self.body[i]).collect()
         };
         let mut fluxes = [Profile::zeros(); 2];
         let guess = expected.map_or(&conduction.committed, |[first, _]| first);

@@ -2,7 +2,7 @@
 //!
 //! Before sliding begins, frictional heat reaches the depth √(κt), about 1 % of the contact radius and a part of the first
 //! layer of elements, later that of a few layers. Under a constant flux, the surface of layers of the thickness h with a
-//! lumped mass warms by the share h²/(16κt) too little if that is small. The first layer is divided into parts that grow
+//! lumped heat capacity warms by the share h²/(16κt) too little if that is small. The first layer is divided into parts that grow
 //! by the ratio √2 with depth, the next ones into halves.
 //!
 //! The meshes are nested: a shape function N of the body is the sum of those of the divided mesh, N′, times the values of

@@ -260,7 +260,7 @@ fn volume_heating_follows_the_enthalpy() {
     let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap().with_properties(Some(properties));
     let none = Softening::new(&mesh, 1.0, 0.0);
     for step in 1..=5 {
-        let body: Vec<f64> = conduction.mass.iter().map(|mass| 400.0 * mass).collect();
+        let body: Vec<f64> = conduction.heat_capacities.iter().map(|capacity| 400.0 * capacity).collect();
         let (_, balance) = conduction.advance(1e-9, &body, &none).unwrap();
         conduction.commit();
         assert_eq!(balance.contact, 0.0);

@@ -51,9 +51,9 @@ impl ContactHeat for FrictionHeat<'_> {
 }
 
 impl FrictionHeat<'_> {
-    /// Of the gap at a contact point; none where it is open.
+    /// Conductance of the gap at a contact point, h_g times its area; zero where it is open.
     fn conductance(&self, point: usize) -> f64 {
-        self.problem.gap_conductance * self.problem.heat_capacity * self.area(point)
+        self.problem.gap_biot_number * self.problem.heat_capacity * self.area(point)
     }
 }
 
