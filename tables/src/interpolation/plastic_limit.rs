@@ -256,7 +256,7 @@ mod tests {
         let above = AboveLastRow { last_row: 1700.0, gap: Some(0.5), log_ratio: 1.5, contact_growth: 0.1 };
         let growth = above.relaxed(RISE, (Some(1e-12), 0.1));
         assert!(growth.factor() <= 1.5f64.exp() && growth.relative() < 1.0, "{growth:?}");
-        // An ordinary one as before: exponent 0.5, λ = 1.4239.
+        // An ordinary one: exponent 0.5, λ = 1.4239.
         let growth = above.relaxed(RISE, (Some(1.0), 0.25f64.exp()));
         assert!((growth.logarithm - 0.5 * (-0.0175f64).exp() * 1.42393).abs() < 1e-4, "{growth:?}");
     }

@@ -4,27 +4,9 @@ use tables::functions::interpolate;
 use tables::quantity::Quantity;
 
 use crate::heat::expected::HeatEffect;
-use crate::scene::fitted_constants::{localised_shear, smooth_flux};
-
-/// Change of load and area over that of β², 0.20 to 0.22 and 0.29 to 0.34 between full stick at any two of ν = 0 to 0.45, or no
-/// friction (ratios in `studies::verification::full_stick`).
-const OF_LOAD: f64 = 0.21;
-const OF_AREA: f64 = 0.34;
-/// The same of slip at inception and `G`, which contains the energy of the shear tractions of the press: half of the changes from
-/// full stick to no friction (0.17 and 0.64 at ω_c and β² = 0.093 on the flat, less in deeper contacts), over that half.
-const OF_INCEPTION: f64 = 1.0;
-const OF_ENERGY: f64 = 6.0;
-/// Fall of the load during a slide at held interference by the coupling of pressure and shear displacements, over
-/// Δβ² (√3τ/σ_Y)² ω_c/ω₀ with the largest mean shear traction τ: 0.024 at ν = 0.34 and 0.040 at ν = 0.2 (0.1 ω_c), 0.041
-/// (ν = 0.2, 0.3 ω_c), 0.031 (ν = 0.34, 0.01 ω_c). The area falls by less than a quarter of that.
-const LOAD_OF_SLIDE: f64 = 0.045;
-const AREA_OF_SLIDE: f64 = 0.012;
-/// Excess of the load and the area of an elastic contact over a/R, where all compliance is that of the hemisphere in place of a
-/// half-space: 0.62, 0.69, 0.79 and 0.91, and 0.46, 0.49, 0.51 and 0.50, at a/R = 0.041, 0.071, 0.136 and 0.265.
-const LOAD_OF_HEMISPHERE: f64 = 0.9;
-const AREA_OF_HEMISPHERE: f64 = 0.5;
-/// The same of the tangential displacement of a contact in full stick: 4.8, 3.4 and 2.7 at a/R = 0.005, 0.021 and 0.087 (ν = 0.34).
-const SLIP_OF_HEMISPHERE: f64 = 5.0;
+use crate::scene::fitted_constants::{
+    coupling_of_press, coupling_of_slide, hemisphere, localised_shear, smooth_flux,
+};
 
 /// Effects of a smooth flux into a counterface in place of temperatures that are equal at each point, see [`smooth_flux`].
 #[derive(Clone, Copy)]
@@ -74,18 +56,18 @@ impl ModellingError {
     /// The part of a hemisphere in place of a half-space on the side of the counterface.
     fn of_hemisphere(&self, quantity: Quantity) -> f64 {
         use Quantity::*;
-        let in_partial_slip = SLIP_OF_HEMISPHERE * self.friction_exponent;
+        let in_partial_slip = hemisphere::SLIP * self.friction_exponent;
         self.finite_counterface
             * match quantity {
-                Load | LoadPress => LOAD_OF_HEMISPHERE,
-                EnergyRelease | InceptionSlip => SLIP_OF_HEMISPHERE,
-                Area | AreaPress => AREA_OF_HEMISPHERE,
-                Friction | FrictionStatic => AREA_OF_HEMISPHERE + in_partial_slip,
+                Load | LoadPress => hemisphere::LOAD,
+                EnergyRelease | InceptionSlip => hemisphere::SLIP,
+                Area | AreaPress => hemisphere::AREA,
+                Friction | FrictionStatic => hemisphere::AREA + in_partial_slip,
                 // The excess of the area is in the friction, and makes up for a part of that of the load.
                 Mu | MuStatic | MuPeak | MuMean | MuSteady => {
-                    LOAD_OF_HEMISPHERE - AREA_OF_HEMISPHERE + in_partial_slip
+                    hemisphere::LOAD - hemisphere::AREA + in_partial_slip
                 }
-                ContactRadius => 0.5 * AREA_OF_HEMISPHERE,
+                ContactRadius => 0.5 * hemisphere::AREA,
                 _ => 0.0,
             }
     }
@@ -108,18 +90,20 @@ impl ModellingError {
         });
         let press = self.press_coupling
             * match quantity {
-                Load | LoadPress => OF_LOAD,
-                Area | AreaPress | Friction | FrictionStatic => OF_AREA,
-                Mu | MuStatic | MuPeak | MuMean | MuSteady => OF_LOAD + OF_AREA,
-                ContactRadius => 0.5 * OF_AREA,
-                InceptionSlip => OF_INCEPTION,
-                EnergyRelease => OF_ENERGY,
+                Load | LoadPress => coupling_of_press::LOAD,
+                Area | AreaPress | Friction | FrictionStatic => coupling_of_press::AREA,
+                Mu | MuStatic | MuPeak | MuMean | MuSteady => {
+                    coupling_of_press::LOAD + coupling_of_press::AREA
+                }
+                ContactRadius => 0.5 * coupling_of_press::AREA,
+                InceptionSlip => coupling_of_press::INCEPTION_SLIP,
+                EnergyRelease => coupling_of_press::ENERGY,
                 _ => 0.0,
             };
         let slide = self.slide_coupling
             * match quantity {
-                Load | Mu | MuStatic | MuPeak | MuMean | MuSteady => LOAD_OF_SLIDE,
-                Area | Friction | FrictionStatic => AREA_OF_SLIDE,
+                Load | Mu | MuStatic | MuPeak | MuMean | MuSteady => coupling_of_slide::LOAD,
+                Area | Friction | FrictionStatic => coupling_of_slide::AREA,
                 _ => 0.0,
             };
         let shared =
