@@ -233,7 +233,7 @@ pub(super) struct VerifyArguments {
 }
 
 impl VerifyArguments {
-    /// Those of `all` whose `name` contains the text of `--only`, in capitals or not; at least one.
+    /// The elements of `all` whose `name` contains the text of `--only`, in capitals or not; at least one.
     pub(super) fn chosen<T>(&self, all: Vec<T>, name: fn(&T) -> &str) -> Result<Vec<T>, Failure> {
         let Some(text) = &self.only else { return Ok(all) };
         let names: Vec<String> = all.iter().map(|one| name(one).to_owned()).collect();

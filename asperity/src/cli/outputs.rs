@@ -27,7 +27,7 @@ pub fn check(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), 
     check_irreplaceable(outputs).map_err(Failure::input)
 }
 
-/// The same of a command that makes a table, which may replace one.
+/// Whether every output of a command that makes a table can be written, as by [`check`]; it may replace a table.
 pub fn check_with_table(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), Failure> {
     for (_, plot) in outputs.iter().filter(|(role, _)| *role == PLOT) {
         Figure::check_extension(plot).map_err(Failure::input)?;

@@ -100,7 +100,7 @@ fn warn_of_replaced(request: &Request, arguments: &TabulateArguments, journal: &
     }]);
 }
 
-/// That cells failed, and what is in the table, which is written nevertheless.
+/// Message: cells failed; the table is written nevertheless, with what it has.
 fn failure(failed: usize, of: usize, output: &Path) -> String {
     let output = output.display();
     let reasons = format!("the reasons are in {output} (`asperity table info {output}`)");

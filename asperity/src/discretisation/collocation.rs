@@ -22,7 +22,7 @@ pub struct Collocation {
     /// ∂/∂θ of even fields, as columns: `derivative[k*count + j]` is the weight of value k in the
     /// derivative at angle j.
     derivative: Vec<f64>,
-    /// Its transpose, minus ∂/∂θ of odd fields.
+    /// Transpose of `derivative`, which is minus ∂/∂θ of odd fields.
     transpose: Vec<f64>,
 }
 
@@ -33,7 +33,7 @@ pub enum Parity {
     Odd,
 }
 
-/// Of (u_r, u_θ, u_z).
+/// Parities of (u_r, u_θ, u_z) in θ.
 pub const VECTOR_PARITY: [Parity; 3] = [Parity::Even, Parity::Odd, Parity::Even];
 
 impl Collocation {

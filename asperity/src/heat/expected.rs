@@ -41,7 +41,7 @@ pub struct HeatEffect {
     pub load: f64,
     /// Heat partition where heat is left out: that of the start, at V = 0 the steady one.
     pub partition: f64,
-    /// Its relative error: the largest change to a steady state, at rest or at the slip rate; at V = 0 that of the
+    /// Relative error of `partition`: the largest change to a steady state, at rest or at the slip rate; at V = 0 that of the
     /// constriction.
     pub partition_error: f64,
     /// Share of the strength of the interface that frictional heat takes before sliding begins.

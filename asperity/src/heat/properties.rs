@@ -24,7 +24,7 @@ pub struct ThermalState {
 }
 
 impl ThermalProperties {
-    /// Of c/c₀ and k/k₀.
+    /// Properties from the curves of c/c₀ and k/k₀ over the rise.
     pub fn new(specific_heat: &Curve, conductivity: &Curve) -> Self {
         Self {
             specific_heat: specific_heat.with_knots_of(conductivity),
@@ -32,12 +32,12 @@ impl ThermalProperties {
         }
     }
 
-    /// Those at the initial temperature throughout.
+    /// Constant properties, those at the initial temperature.
     pub fn constant() -> Self {
         Self { specific_heat: Curve::constant(1.0), conductivity: Curve::constant(1.0) }
     }
 
-    /// Of a body at an initial temperature, K; none where both are constant.
+    /// Properties of a body at an initial temperature, K; none where both are constant.
     pub fn of(dependence: &TemperatureDependence, initial_temperature: f64) -> Option<Self> {
         let TemperatureDependence { specific_heat, thermal_conductivity, .. } = dependence;
         let relative = |table: &Option<TemperatureTable>| match table {

@@ -8,8 +8,8 @@ const ALONG: f64 = 0.5;
 
 /// State of a slide after one increment, dimensionless.
 ///
-/// Forces and areas are those of the whole asperity. Work, energies and heat are those of the half body y ≥ 0 that is computed, since
-/// the start of the slide; the results of a run have twice these.
+/// Forces and areas are those of the whole asperity. Work, energies and heat are those of the half body y ≥ 0 that is computed,
+/// since the start of the slide; the results of a run have twice these.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SlideState {
     /// Step of the programme, from 0.

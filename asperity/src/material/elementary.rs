@@ -8,7 +8,7 @@ use std::f64::consts::{LN_2, LOG2_E, SQRT_2};
 
 /// ln 2 in two parts, of which the first has few digits.
 const LN_2_PARTS: [f64; 2] = [0.693145751953125, 1.4286068203094173e-06];
-/// The same for the logarithm.
+/// ln 2 in two parts, for the logarithm.
 const LN_2_OF_LOG: [f64; 2] = [f64::from_bits(0x3FE6_2E42_FEE0_0000), f64::from_bits(0x3DEA_39EF_3579_3C76)];
 /// Added to an integer it moves that to the last bits.
 const TO_LAST_BITS: f64 = (1_u64 << 52) as f64;

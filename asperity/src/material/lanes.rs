@@ -21,7 +21,7 @@ pub fn add_scaled<const W: usize>(c: &mut Lanes<W>, a: f64, b: &Lanes<W>) {
 pub trait Pack:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// The same value in all lanes.
+    /// A value in all lanes.
     fn splat(x: f64) -> Self;
 
     /// The first values of a slice.
@@ -218,7 +218,7 @@ fn product<const ADD: bool>(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64
     }
 }
 
-/// The same for N values.
+/// [`small_product`] for N values.
 #[inline(always)]
 fn fixed_product<const N: usize, const ADD: bool>(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
     let (columns, _) = columns.as_chunks::<N>();

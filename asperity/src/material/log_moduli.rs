@@ -128,7 +128,7 @@ pub fn add_volume_curvature<V: Pack>(factor: V, f: &TwoPoint<V>, tangent: &mut [
     }
 }
 
-/// y = A x for a symmetric 9 × 9 matrix, whose entries are `at(index)`, see [`entry`].
+/// y = A x for a symmetric 9 × 9 matrix, whose entries are `at(index)`, see `entry`.
 #[inline(always)]
 pub fn symmetric_product<V: Pack>(at: impl Fn(usize) -> V, x: &TwoPoint<V>) -> TwoPoint<V> {
     let mut y = [[V::splat(0.0); 3]; 3];

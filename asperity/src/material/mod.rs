@@ -104,7 +104,7 @@ impl Solid {
         self.softening_factors(&[rise])[0]
     }
 
-    /// The same of each rise.
+    /// f(T)/f(T₀) at each rise.
     #[inline(always)]
     pub fn softening_factors<const W: usize>(&self, rise: &Lanes<W>) -> Lanes<W> {
         let factor: Lanes<W> = softening_of(&self.softening, &lanes(|l| self.initial_temperature + rise[l]));
@@ -160,7 +160,7 @@ impl Solid {
         (strength, slope)
     }
 
-    /// The same of each strain.
+    /// (σ_y, dσ_y/dε_p) without softening, at each strain.
     #[inline(always)]
     fn hardened_lanes<const W: usize>(&self, strain: &Lanes<W>) -> (Lanes<W>, Lanes<W>) {
         match &self.hardening {

@@ -26,7 +26,7 @@ pub const PANELS: [&str; 13] = [
     "temperature-map",
 ];
 
-/// Those of [`PANELS`] with heat.
+/// The panels of [`PANELS`] that show heat.
 const OF_HEAT: [&str; 3] = ["temperature", "heat", "temperature-map"];
 
 /// Panels that the figure of a run of `scene` may have: those of heat unless it is left out whatever its effect.

@@ -39,7 +39,7 @@ pub fn is_numbered(name: &OsStr) -> bool {
     number.is_some_and(|number| number.len() >= 3 && number.bytes().all(|digit| digit.is_ascii_digit()))
 }
 
-/// Of zlib: half of what there is to gain, in a tenth of the time.
+/// Compression level of zlib: half of what there is to gain, in a tenth of the time.
 const COMPRESSION: u32 = 3;
 
 /// Write the recorded fields of the body into a directory, which is created if it does not exist; yields

@@ -27,7 +27,7 @@ pub struct Counterface {
     pub thermal_expansion: Option<f64>,
     /// h_c, W/(m² K): between both surfaces; infinite where their temperatures agree in mean, slope and curvature.
     pub contact_conductance: f64,
-    /// Of c₂ and k₂.
+    /// Dependence of c₂ and k₂ on temperature.
     pub dependence: TemperatureDependence,
 }
 

@@ -41,7 +41,7 @@ impl Curve {
         Self::new(vec![0.0], vec![value])
     }
 
-    /// The same with knots wherever `other` has them: a point of one curve is then valid on the other.
+    /// This curve with knots also wherever `other` has them: a point of one curve is then valid on the other.
     pub fn with_knots_of(&self, other: &Self) -> Self {
         let (mut knots, mut values) = (self.knots.clone(), self.values.clone());
         for (i, &x) in other.knots.iter().enumerate() {

@@ -81,7 +81,7 @@ pub(crate) mod sliding_inception {
 ///   the errors of `G` of 1045 steel at 1000 ω_c (17.7 % too small) and copper at 3500 ω_c (18.9 %) are held, the two of these scenes
 ///   in which the load is held above 300 ω_c.
 pub(crate) mod error_estimates {
-    /// Of the square-root edge of the pressure.
+    /// Order of convergence in the elements, that of the square-root edge of the pressure.
     pub const ORDER: f64 = 1.5;
     pub const ELEMENTS: f64 = 10.0;
     /// ω₀/ω_c.
@@ -90,7 +90,7 @@ pub(crate) mod error_estimates {
     pub type AtEach = [f64; INTERFERENCES.len()];
     /// Friction, friction coefficients and area of the slide.
     pub const FRICTION: AtEach = [0.01, 0.0045, 0.0035, 0.0055, 0.0055];
-    /// Of sliding inception.
+    /// Friction at sliding inception.
     pub const STATIC_FRICTION: AtEach = [0.01, 0.0045, 0.003, 0.007, 0.012];
     pub const LOAD: AtEach = [0.0015, 0.0015, 0.0015, 0.006, 0.008];
     pub const ENERGY: AtEach = [0.02, 0.012, 0.012, 0.02, 0.035];
@@ -100,9 +100,9 @@ pub(crate) mod error_estimates {
     pub const MEAN_RISE: AtEach = [0.006; 5];
     pub const AREA_OF_PRESS: AtEach = [0.001, 0.001, 0.003, 0.003, 0.005];
     pub const LOAD_OF_PRESS: AtEach = [0.001, 0.001, 0.0006, 0.004, 0.015];
-    /// Of `G` and the slip at inception in addition, on any mesh; linear in the logarithm of the interference alone.
+    /// Additional uncertainty of `G` and the slip at inception, on any mesh; linear in the logarithm of the interference alone.
     pub const DEEP_INCEPTION: AtEach = [0.0, 0.0, 0.0, 0.0, 0.08];
-    /// Factor of it where the load is held.
+    /// Factor of [`DEEP_INCEPTION`] where the load is held.
     pub const HELD_LOAD: f64 = 2.2;
 }
 
@@ -157,7 +157,7 @@ pub(crate) mod mean_errors {
         MeanError { mesh: [0.0, 0.001, 0.002, 0.018, 0.05], angles: [0.0, 0.004, 0.0, 0.01, 0.06] };
     pub const STATIC_FRICTION: MeanError =
         MeanError { mesh: [0.0, 0.0, 0.0, 0.006, 0.022], angles: [0.0, 0.0, 0.0, 0.002, 0.012] };
-    /// Of press and slide.
+    /// Load of press and slide.
     pub const LOAD: MeanError = MeanError { mesh: [0.001, 0.001, 0.0, -0.005, -0.012], angles: [0.0; 5] };
     /// What sliding inception lacks in addition where the layer heated before it is thin beside the contact, in proportion to Va/κ
     /// up to [`at_high_peclet_number::FULL`], under the shear strength.
@@ -180,7 +180,7 @@ pub(crate) mod mean_errors {
         pub const STATIC_FRICTION: MeanError =
             MeanError { mesh: [0.0, 0.0, 0.0, 0.0, 0.06], angles: [0.0, 0.0, 0.0, 0.0, 0.06] };
     }
-    /// Of slides, and of their friction: strength times area.
+    /// Area of slides, and their friction: strength times area.
     pub const AREA: MeanError = MeanError { mesh: [0.0, 0.0, 0.001, -0.004, -0.002], angles: [0.0; 5] };
 }
 
@@ -206,16 +206,16 @@ pub(crate) mod localised_shear {
     pub const WITHOUT_LIMIT: Bounds = Bounds { friction: 0.1, load: 0.1, ..ON_PLATEAU };
 }
 
-/// Modelling error of the coupling of pressure and shear displacements in the press: the press is in full stick on a rigid flat or
-/// without friction, whichever is closer to the two bodies, see `simulate::accuracy::modelling_error`.
+/// Modelling error of the coupling of pressure and shear displacements in the press: the press is in full stick on a rigid flat
+/// or without friction, whichever is closer to the two bodies, see `simulate::accuracy::modelling_error`.
 ///
 /// - Chosen: change relative to the value, over that of Dundurs' β².
 /// - Data: load 0.20 to 0.22 and area 0.29 to 0.34 between full stick at any two of ν = 0 to 0.45, or no friction. Slip at
 ///   inception and `G`, which contains the energy of the shear tractions of the press: half of the changes from full stick to no
 ///   friction (0.17 and 0.64 at ω_c and β² = 0.093 on the flat, less in deeper contacts), over that half.
 /// - Residual: the stated errors are 1 to 1.6 times the changes of load and area.
-/// - Repeated by: the ratios of load and area by `asperity verify` (full stick), and the test beside the formula; those of the slip
-///   at inception and `G` by `asperity run`.
+/// - Repeated by: the ratios of load and area by `asperity verify` (full stick), and the test beside the formula; those of the
+///   slip at inception and `G` by `asperity run`.
 pub(crate) mod coupling_of_press {
     pub const LOAD: f64 = 0.21;
     pub const AREA: f64 = 0.34;
@@ -226,8 +226,8 @@ pub(crate) mod coupling_of_press {
 /// Modelling error of the coupling of pressure and shear displacements in the slide, which is that on a rigid flat, see
 /// `simulate::accuracy::modelling_error`.
 ///
-/// - Chosen: relative fall of the load during a slide at held interference, over Δβ² (√3τ/σ_Y)² ω_c/ω₀ with the largest mean shear
-///   traction τ; of the area a quarter of that at most.
+/// - Chosen: relative fall of the load during a slide at held interference, over Δβ² (√3τ/σ_Y)² ω_c/ω₀ with the largest mean
+///   shear traction τ; of the area a quarter of that at most.
 /// - Data: 0.024 at ν = 0.34 and 0.040 at ν = 0.2 (0.1 ω_c), 0.041 (ν = 0.2, 0.3 ω_c), 0.031 (ν = 0.34, 0.01 ω_c).
 /// - Repeated by: `asperity run`, whose history has load and area.
 pub(crate) mod coupling_of_slide {
@@ -238,12 +238,12 @@ pub(crate) mod coupling_of_slide {
 /// Modelling error of the counterface, whose compliance is computed as that of a hemisphere and not of a half-space, see
 /// `simulate::accuracy::modelling_error`.
 ///
-/// - Chosen: excess over a/R of load and area of an elastic contact, and of the tangential displacement of a contact in full stick,
-///   where all compliance is that of the hemisphere.
-/// - Data: load 0.62, 0.69, 0.79 and 0.91, area 0.46, 0.49, 0.51 and 0.50, at a/R = 0.041, 0.071, 0.136 and 0.265. Displacement 4.8,
-///   3.4 and 2.7 at a/R = 0.005, 0.021 and 0.087 (ν = 0.34).
-/// - Residual: in the test beside the formula the friction of a half-space in partial slip is 7 % above that of the run; the stated
-///   error is 1 to 1.6 times that.
+/// - Chosen: excess over a/R of load and area of an elastic contact, and of the tangential displacement of a contact in full
+///   stick, where all compliance is that of the hemisphere.
+/// - Data: load 0.62, 0.69, 0.79 and 0.91, area 0.46, 0.49, 0.51 and 0.50, at a/R = 0.041, 0.071, 0.136 and 0.265. Displacement
+///   4.8, 3.4 and 2.7 at a/R = 0.005, 0.021 and 0.087 (ν = 0.34).
+/// - Residual: in the test beside the formula the friction of a half-space in partial slip is 7 % above that of the run; the
+///   stated error is 1 to 1.6 times that.
 /// - Repeated by: `asperity run` on a rigid flat, against Hertz and Mindlin.
 pub(crate) mod hemisphere {
     pub const LOAD: f64 = 0.9;
@@ -343,8 +343,8 @@ pub(crate) mod contact_edge {
 /// - Data: nine runs of a bronze without hardening and 39 of presets, 0.01 to 250 ω_c, 0 to 10 m/s, accuracies of 0.2 to
 ///   0.005, 22 of presets at 1 to 700 ω_c over slips of 2 and 20 contact radii, three programmes, and six of a cast iron
 ///   with 15 K to more than its melting temperature (HOT_PROPERTIES), on one thread; seven of titanium with and without
-///   properties over temperature (PROPERTIES: ratios of 1.5 to 2.5); they are in the tests of the formula. The form follows from other data of 17 materials.
-///   DEPTH_POWER is of the wall times of the rows of 14 shipped tables.
+///   properties over temperature (PROPERTIES: ratios of 1.5 to 2.5); they are in the tests of the formula. The form follows
+///   from other data of 17 materials. DEPTH_POWER is of the wall times of the rows of 14 shipped tables.
 /// - Residual: the ratios between expected and measured time are within 0.33 to 3.
 /// - NEWTON_ITERATION: s of an iteration per unknown, of main runs of titanium (40 ω_c, 10 m/s, 17 472 unknowns: 2.0e-7)
 ///   and 4340 (20 ω_c, 10 m/s, 9444 unknowns: 1.7e-7). COARSE_SHARE: what the run on the coarse
@@ -369,11 +369,11 @@ pub(crate) mod processor_time {
     pub const REFERENCE_ACCURACY: f64 = 0.02;
     pub const REFERENCE_ELEMENTS: f64 = 10.0;
     pub const REFERENCE_SECTORS: f64 = 4.0;
-    /// Of a conducting counterface.
+    /// Factor of a conducting counterface.
     pub const CONDUCTION: f64 = 2.5;
-    /// Of thermal properties that depend on temperature.
+    /// Factor of thermal properties that depend on temperature.
     pub const PROPERTIES: f64 = 1.8;
-    /// Of them in a contact that would melt at its full strength, in addition.
+    /// Additional factor of [`PROPERTIES`] in a contact that would melt at its full strength.
     pub const HOT_PROPERTIES: f64 = 1.5;
     /// Bounds: set-up and coarsest mesh, of each step; finest mesh that an accuracy leads to.
     pub const LEAST: f64 = 0.5;

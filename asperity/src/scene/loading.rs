@@ -27,7 +27,7 @@ pub struct Loading {
     pub slip_distance: f64,
     #[serde(default)]
     pub control: Control,
-    /// Of body and flat at the start, K.
+    /// Initial temperature T₀ of body and flat, K.
     #[serde(default = "default_temperature")]
     pub temperature: f64,
     /// A programme in place of one slip rate; see [`Loading::with_steps`].

@@ -21,7 +21,7 @@ pub enum Hardening {
 }
 
 impl Hardening {
-    /// Of the laws that have one, Pa: it changes with the initial temperature as the yield strength does.
+    /// Modulus of the laws that have one, Pa: it changes with the initial temperature as the yield strength does.
     pub fn modulus_mut(&mut self) -> Option<&mut f64> {
         match self {
             Self::Linear { modulus } | Self::JohnsonCook { modulus, .. } => Some(modulus),

@@ -31,7 +31,7 @@ pub use material::{
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum InterfaceStrength {
-    /// That of the virgin material at the temperature of the contact: σ_Y(T).
+    /// Strength of the virgin material at the temperature of the contact: σ_Y(T).
     #[default]
     Initial,
     /// The flow stress σ_y(ε_p, T), with the mean plastic strain of the surface elements around

@@ -26,9 +26,9 @@ pub(super) struct Conditions<'a> {
     pub programme: Vec<LoadingStep>,
     /// VR/κ of the fastest step, 0 without heat.
     speed: f64,
-    /// Of all meshes, see [`thermal_layer_refinements`].
+    /// Refinements of the thermal layer in all meshes, see [`thermal_layer_refinements`].
     thermal_layer_refinements: u32,
-    /// Of all meshes, see [`thermal_sublayers`].
+    /// Parts of the first layer of conduction in all meshes, see [`thermal_sublayers`].
     pub thermal_sublayers: u32,
 }
 

@@ -35,7 +35,7 @@ fn of_hot_properties(scene: &Scene) -> f64 {
     if is_hot && has_variable_properties(scene) { HOT_PROPERTIES } else { 1.0 }
 }
 
-/// The same without that factor, as in the time of a refinement from counts, [`time_of`].
+/// Processor time without the factor of hot properties, as in the time of a refinement from counts, [`time_of`].
 pub(super) fn expected_time_but_for_hot_properties(scene: &Scene) -> f64 {
     let numerics = &scene.numerics;
     let interference = scene.loading.interference;
@@ -183,7 +183,7 @@ mod tests {
         (250.0, 3.0, 3.9),
     ];
 
-    /// That a measured time, s, is within the stated factor of the expected one.
+    /// Asserts that a measured time, s, is within the stated factor of the expected one.
     fn assert_expected(scene: &Scene, seconds: f64) {
         let ratio = expected_time(scene) / seconds;
         let within = (1.0 / EXPECTED_TIME_FACTOR..=EXPECTED_TIME_FACTOR).contains(&ratio);

@@ -126,7 +126,7 @@ impl SimulationError {
         }
     }
 
-    /// The same with the results before it.
+    /// The error with the results before it.
     fn with_partial(mut self, outcome: Outcome) -> Self {
         if let Self::NotConverged { partial, .. } | Self::Cancelled { partial } = &mut self {
             *partial = Some(Box::new(outcome));
@@ -134,7 +134,7 @@ impl SimulationError {
         self
     }
 
-    /// The same with other results before it, if there are any.
+    /// The error with its partial results changed, if there are any.
     fn map_partial(mut self, change: impl FnOnce(Outcome) -> Outcome) -> Self {
         if let Self::NotConverged { partial, .. } | Self::Cancelled { partial } = &mut self {
             *partial = partial.take().map(|outcome| Box::new(change(*outcome)));
@@ -199,7 +199,7 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
     slide_refined(pressed, slip_rate, REFINEMENTS, watch)
 }
 
-/// The same, repeated more finely so often at most.
+/// Slide the pressed asperity at `slip_rate` (m/s), with at most `refinements` finer runs.
 pub(crate) fn slide_refined(
     pressed: &Pressed,
     slip_rate: f64,

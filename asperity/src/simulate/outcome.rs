@@ -42,9 +42,9 @@ pub struct Account {
     pub finite_strain: bool,
     pub steps: usize,
     pub cutbacks: usize,
-    /// Of press and slide.
+    /// Newton iterations of press and slide.
     pub newton_iterations: usize,
-    /// Of the press alone.
+    /// Newton iterations of the press alone.
     pub press_newton_iterations: usize,
     pub krylov_iterations: usize,
     /// Newton iterations whose full step was too long or too short.

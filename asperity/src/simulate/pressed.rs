@@ -47,7 +47,7 @@ pub struct Pressed {
     pub(super) problem: Problem,
     /// Strain measure, where the scene leaves the choice.
     pub(super) strain: Option<StrainChoice>,
-    /// Those of the scene, with the accuracy that resolutions are planned for.
+    /// Numerics of the scene, with the accuracy that resolutions are planned for.
     pub(super) numerics: Numerics,
     /// Runs are not refined then.
     pub(super) shears_without_limit: bool,
@@ -180,7 +180,7 @@ pub struct PressedContact {
     pub load: Estimate,
     /// A, m².
     pub area: Estimate,
-    /// Of the Hertzian distribution with the same mean over the inner half of the contact, Pa: the
+    /// Peak pressure of the Hertzian distribution with the same mean over the inner half of the contact, Pa: the
     /// apex itself is alone in its ring.
     pub peak_pressure: Estimate,
     pub plastic_strain_max: f64,
@@ -254,7 +254,7 @@ impl Pressed {
         body.mean_stresses_on_axis(&body.committed)
     }
 
-    /// The same, with the fields chosen by `recording`.
+    /// Sets the fields that slides record.
     pub fn recording(self, recording: Recording) -> Self {
         Self { recording, ..self }
     }

@@ -279,7 +279,7 @@ fn outcome(runner: &Runner<'_>, run: &mut Run, budget: ErrorBudget, account: Acc
     }
 }
 
-/// Of the values of a run.
+/// Correction of the values of a run for their mean errors.
 fn correction<'a>(runner: &Runner<'a>, run: &Run) -> Correction<'a> {
     let scene = &runner.pressed.scene;
     Correction {

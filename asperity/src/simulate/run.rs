@@ -22,13 +22,13 @@ pub(super) struct Run {
     pub press: Arc<PressedMesh>,
     pub history: Vec<SlideState>,
     pub values: Values,
-    /// Of a run that went on beyond its end.
+    /// Steady state of a run that went on beyond its end.
     pub steady: Option<SteadyState>,
     pub snapshots: Vec<Snapshot>,
     pub body: Option<BodyFields>,
-    /// At its end.
+    /// Contact at the end of the slide.
     pub contact: Contact,
-    /// With its heat at the end, if it conducts.
+    /// Counterface with its heat at the end of the slide, if it conducts.
     pub counterface: Option<HalfSpace>,
     pub unknowns: usize,
     pub effort: Effort,
@@ -53,7 +53,7 @@ impl Run {
         self.history.last().map_or(0.0, |state| state.plastic_strain_max)
     }
 
-    /// The same in the last state before sliding inception; 0 without a slide.
+    /// Largest plastic strain in the last state before sliding inception; 0 without a slide.
     pub fn plastic_strain_in_stick(&self) -> f64 {
         let sticking = self.history.iter().take_while(|state| !state.slides());
         let strain = sticking.last().map_or(0.0, |state| state.plastic_strain_max);

@@ -24,7 +24,7 @@ const MAIN: f64 = 0.7;
 /// Failed increments of a finer run beyond those of the run before, which is the result in its place.
 const FURTHER_FAILURES: usize = 5;
 
-/// Of all auxiliary runs; none where one did not finish.
+/// Values of all auxiliary runs; none where one did not finish.
 fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryValues<'_>> {
     let [coarse, other_sectors, longer_steps, looser @ ..] = runs else { return None };
     runs.iter().all(|run| run.failure.is_none()).then_some(AuxiliaryValues {
@@ -40,7 +40,7 @@ enum Next {
     Main(Resolution),
     /// One of them has outgrown its mesh.
     Wider,
-    /// They were stopped, or one could not begin.
+    /// The runs were stopped, or one could not begin.
     Failed(SimulationError),
 }
 
@@ -49,7 +49,7 @@ pub(super) struct Runner<'a> {
     pub pressed: &'a Pressed,
     pub conditions: Conditions<'a>,
     pub watch: &'a dyn Watch,
-    /// Those of `pressed`, and those that this slip rate alone needs.
+    /// The presses of `pressed`, and those that this slip rate alone needs.
     presses: Mutex<Vec<Arc<PressedMesh>>>,
 }
 
@@ -187,8 +187,8 @@ impl<'a> Runner<'a> {
         start.refine_other_than_mesh(&self.pressed.numerics, &parts)
     }
 
-    /// The contact radius over that after the press at which one of the runs left its mesh, and a resolution with more room, if the hemisphere has
-    /// it.
+    /// The contact radius over that after the press at which one of the runs left its mesh, and a resolution with more room, if
+    /// the hemisphere has it.
     fn wider<'r>(
         &self,
         resolution: &Resolution,

@@ -82,16 +82,16 @@ pub struct SteadyState {
     pub ratio: Estimate,
     /// Slip to which the slide went on, over the contact radius after the press.
     pub slip: f64,
-    /// That from which on friction was within the accuracy of μ_∞; infinite where it was not by the end.
+    /// Slip from which on friction was within the accuracy of μ_∞; infinite where it was not by the end.
     pub level: f64,
     /// Whether the contact outgrew its mesh there.
     outgrew_mesh: bool,
 }
 
 impl SteadyState {
-    /// Of a slide that went on beyond the slip of its state `end`, with the contact `radius` after the press and whether it
-    /// outgrew its mesh, and the `accuracy` of friction; none where heat has not diffused through the contact. As on the coarse mesh of the auxiliary runs, a
-    /// share of the change to the steady state is uncertain.
+    /// Steady state of a slide that went on beyond the slip of its state `end`, with the contact `radius` after the press and
+    /// whether it outgrew its mesh, and the `accuracy` of friction; none where heat has not diffused through the contact. As on
+    /// the coarse mesh of the auxiliary runs, a share of the change to the steady state is uncertain.
     pub fn of_longer_slide(
         history: &[SlideState],
         end: usize,

@@ -118,7 +118,7 @@ impl Kernels {
         self.body.internal_force(&further, Some(&self.rise), &mut self.force);
     }
 
-    /// Of many points, all below yield at first and beyond it in the end, in a first iteration.
+    /// Plastic flow of many points, all below yield at first and beyond it in the end, in a first iteration.
     pub fn flow(&self) -> f64 {
         let mut sum = 0.0;
         for [start, elastic] in &self.paths {

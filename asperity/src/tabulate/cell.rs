@@ -39,7 +39,7 @@ pub struct Finished {
     pub cell: Cell,
     /// Time of the run by part of the computation; zero for a run that was taken from a journal or a table.
     pub timings: Timings,
-    /// Of the run's account.
+    /// Notes of the run's account.
     pub notes: Vec<String>,
 }
 

@@ -40,7 +40,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// Its bits.
+    /// Bits of the coordinates, by which points are compared.
     pub(super) fn key(self) -> [u64; 3] {
         [self.temperature, self.interference, self.slip_rate].map(f64::to_bits)
     }
@@ -105,7 +105,7 @@ impl JournalError {
 #[derive(Serialize, Deserialize, PartialEq)]
 struct Header {
     source: String,
-    /// Of the program: another build of the version may give other numbers.
+    /// Fingerprint of the program: another build of the version may give other numbers.
     fingerprint: String,
     shard: Option<String>,
     request: String,

@@ -62,7 +62,7 @@ impl<'a> Layout<'a> {
         scene
     }
 
-    /// Of the cells, row-major, s.
+    /// Expected times of the cells, row-major, s.
     pub fn expected_times(&self) -> Vec<f64> {
         self.cells().map(|at| expected_time(&self.scene(at))).collect()
     }

@@ -31,7 +31,7 @@ struct Waiting<P> {
 }
 
 impl<P> Queue<P> {
-    /// Of these rows.
+    /// A queue of these rows.
     pub fn new(rows: Vec<usize>) -> Self {
         let waiting = Waiting { presses: rows.into(), slides: VecDeque::new(), pressing: 0 };
         Self { waiting: Mutex::new(waiting), changed: Condvar::new() }

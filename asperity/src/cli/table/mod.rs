@@ -149,7 +149,7 @@ fn read(table_name: &str, at: &At) -> Result<InterpolatedTable, Failure> {
     shipped::open(table_name, at.temperature).map_err(Failure::input)
 }
 
-/// The same, or the whole table if no temperature is given.
+/// The table at the given initial temperature, or at all its temperatures if none is given.
 fn read_all(table_name: &str, at: &At) -> Result<Table, Failure> {
     match at.temperature {
         Some(_) => read(table_name, at).map(|table| Table::from(table.into_slice())),

@@ -11,8 +11,8 @@ pub const POINT_VALUES: usize = ENTRIES + 9;
 /// Tangent at the last internal force.
 #[derive(Clone, Debug)]
 pub struct FiniteTangent {
-    /// Values of each point, see [`value_index`](super::state::value_index). In single precision: the products are bound by memory, and the
-    /// convergence of Newton's method is the same.
+    /// Values of each point, see [`value_index`](super::state::value_index). In single precision: the products are bound by
+    /// memory, and the convergence of Newton's method is the same.
     pub point: Vec<f32>,
     /// Per element and group of lanes: whether the displacement gradient is so small that the moduli of small strain
     /// are used. Their relative error is the size of the gradient, which leaves the convergence of Newton's method as

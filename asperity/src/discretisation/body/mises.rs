@@ -17,7 +17,7 @@ pub struct MeanStress {
 }
 
 impl Body {
-    /// Of the elements on the axis.
+    /// Mean stresses of the elements on the axis.
     pub fn mean_stresses_on_axis(&self, state: &BodyState) -> Vec<MeanStress> {
         let on_axis = |e: &usize| {
             self.mesh.elements[*e].nodes.iter().any(|&node| self.mesh.meridian.on_axis(node as usize))

@@ -105,7 +105,7 @@ impl Body {
         }
     }
 
-    /// The same body at finite strain.
+    /// This body at finite strain.
     pub fn at_finite_strain(mut self) -> Self {
         let (elements, lanes) = (self.mesh.elements.len(), self.mesh.sectors.columns());
         self.finite_strain = Some(finite_tangent::FiniteTangent::new(elements, lanes));

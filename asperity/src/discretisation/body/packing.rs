@@ -26,7 +26,7 @@ pub fn joined<const W: usize, A: Pack, V: Pack>(of_points: &[A]) -> V {
     V::load(&lanes)
 }
 
-/// The same number at all angles of a point.
+/// The value of each point in the lanes of all its angles.
 #[inline(always)]
 pub fn spread<const W: usize, const P: usize, V: Pack>(of_points: [f64; P]) -> V {
     // Writing single numbers and reading them as a vector stalls the pipeline.

@@ -167,7 +167,7 @@ pub(super) fn differentiate(sectors: &Collocation, nodes: &[usize], u: &[f64], s
 /// A part of the body, and its forces.
 pub(super) struct PartForces<'a> {
     pub elements: Range<usize>,
-    /// Of each of its elements, among the nodes of the part.
+    /// Corners of each element, as numbers among the nodes of the part.
     pub corners: &'a [[u32; CORNERS]],
     pub forces: &'a mut [f64],
 }

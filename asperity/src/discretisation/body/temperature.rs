@@ -21,7 +21,7 @@ pub(super) struct ElementHeat<const W: usize> {
     pub(super) weakest: f64,
     /// E(T)/E(T₀), unless constant.
     pub(super) stiffness: Option<Lanes<W>>,
-    /// The same at the end of the step before.
+    /// E(T)/E(T₀) of the element at the end of the previous step.
     stiffness_before: Lanes<W>,
     /// Volumetric thermal strain.
     pub(super) thermal: Lanes<W>,

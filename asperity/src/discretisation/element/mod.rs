@@ -51,7 +51,7 @@ pub struct Element {
     pub shape: [[ShapeAtPoint; CORNERS]; POINTS],
     /// Volume that belongs to each Gauss point of one angle.
     pub weight: [f64; POINTS],
-    /// Their sum.
+    /// Sum of the weights.
     pub volume: f64,
 }
 

@@ -84,9 +84,9 @@ impl<'a> Facing<'a> {
 
 /// The contact as the counterface sees it.
 pub(super) struct ContactDisc {
-    /// Of the contact points of the half model, as far as they are in contact.
+    /// Areas of the contact points of the half model that are in contact.
     areas: Vec<f64>,
-    /// Their sum.
+    /// Sum of the areas.
     pub(super) total: f64,
     /// a.
     radius: f64,
@@ -96,12 +96,12 @@ pub(super) struct ContactDisc {
     shapes: Vec<Profile>,
     /// Mean of η + 1.
     curvature: f64,
-    /// Their mean squares.
+    /// Mean squares of the shapes.
     squares: Profile,
 }
 
 impl ContactDisc {
-    /// Of points at (x, y).
+    /// The disc of contact points with these areas, at `position` (x, y).
     pub(super) fn new(areas: Vec<f64>, position: impl Fn(usize) -> [f64; 2]) -> Self {
         let total: f64 = areas.iter().sum();
         let mean = |value: &dyn Fn(usize) -> f64| {
@@ -155,7 +155,7 @@ impl ContactDisc {
         )
     }
 
-    /// The same, given its value at each point.
+    /// Profile of a field, given its value at each point.
     pub(super) fn profile_of_values(&self, value: impl Fn(usize) -> f64) -> Profile {
         self.profile(|point| self.areas[point] * value(point))
     }

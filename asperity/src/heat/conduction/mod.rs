@@ -90,7 +90,7 @@ pub struct HeatBalance {
 struct Tried {
     dt: f64,
     stages: [HeatState; 2],
-    /// Of the balance with a conducting counterface, see [`Facing`].
+    /// Jacobian of the balance with a conducting counterface, see [`Facing`].
     jacobian: Option<Matrix3<f64>>,
 }
 
@@ -148,13 +148,13 @@ impl Conduction {
         })
     }
 
-    /// The same with properties that depend on temperature, if there are any.
+    /// Sets properties that depend on temperature, if there are any.
     pub fn with_properties(mut self, properties: Option<ThermalProperties>) -> Self {
         self.varying = properties.map(|properties| Kirchhoff::new(&self.mesh, self.capacity, properties));
         self
     }
 
-    /// The same with a conducting counterface, if there is one.
+    /// Sets the conducting counterface, if there is one.
     pub fn with_counterface(mut self, counterface: Option<HalfSpace>) -> Self {
         self.counterface = counterface;
         self

@@ -37,7 +37,7 @@ pub type Profile = Vector3<f64>;
 
 /// Points per panel of the convolution, and of the overlap of discs.
 const POINTS: [usize; 2] = [6, 24];
-/// The same for the height of the surface, which is smoother.
+/// Points per panel of the convolution, and of the overlap of discs, for the height of the surface, which is smoother.
 const POINTS_OF_HEIGHT: [usize; 2] = [4, 12];
 /// Panels of the convolution per contact radius that the heat moves or spreads, at a point, at which the heat begins and ends
 /// abruptly; over the contact one is enough.
@@ -81,7 +81,7 @@ struct Interval {
     from: Moment,
     to: Moment,
     flux: Profile,
-    /// Of the contact.
+    /// Radius of the contact.
     radius: f64,
 }
 
@@ -109,7 +109,7 @@ pub struct HalfSpace {
     of_height: Rules,
 }
 
-/// Of the convolution, and of the overlap of discs.
+/// Gauss-Legendre rules of the convolution and of the overlap of discs.
 type Rules = [GaussLegendre; 2];
 
 fn rules(points: [usize; 2]) -> Rules {
@@ -174,13 +174,13 @@ impl HalfSpace {
         }
     }
 
-    /// The same that expands, by (1 + ν)α per kelvin.
+    /// Sets the thermal expansion (1 + ν)α, 1/K.
     pub fn with_expansion(self, expansion: f64) -> Self {
         let capacity = self.effusivity * std::f64::consts::SQRT_2 / self.spreading;
         Self { expansion: 2.0 * expansion / capacity, ..self }
     }
 
-    /// The same with properties that depend on temperature, if there are any.
+    /// Sets properties that depend on temperature, if there are any.
     pub fn with_properties(self, varying: Option<ThermalProperties>) -> Self {
         Self { varying, ..self }
     }
@@ -277,7 +277,8 @@ impl HalfSpace {
         }
     }
 
-    /// Highest rise within a contact of this radius: on its diameter along the motion. Positions are denser towards the edge, near which it is at large Péclet numbers.
+    /// Highest rise within a contact of this radius: on its diameter along the motion. Positions are denser towards the edge,
+    /// near which it is at large Péclet numbers.
     pub fn highest_rise(&self, radius: f64) -> f64 {
         let rise = |position: i32| {
             let from_edge = 1.0 - f64::from(position.abs()) / f64::from(POSITIONS);
@@ -300,7 +301,7 @@ impl HalfSpace {
         self.response(heat, at, disc) * heat.flux
     }
 
-    /// The same per flux.
+    /// Rise over a disc at `at` per flux of an earlier interval.
     fn response(&self, heat: &Interval, at: Moment, disc: Disc) -> Matrix3<f64> {
         let [rule, of_overlap] = &self.of_rise;
         let share = |spread, moved, _| share(of_overlap, [disc.radius, heat.radius], spread, moved);

@@ -49,8 +49,9 @@ pub(super) fn share(rule: &GaussLegendre, radii: [f64; 2], spread: f64, displace
     sum.component_mul(&signs) / (PI * a * a)
 }
 
-/// The same profile of what has the transform erfc(kσ/√2) in place of the Gaussian distribution exp(−k²σ²/2): the displacement
-/// of the surface by heat that has spread that far. With J. W. Craig's integral (MILCOM 1991, 571), sin φ = 1/cosh v,
+/// Profile, as by [`share`], of what has the transform erfc(kσ/√2) in place of the Gaussian distribution exp(−k²σ²/2): the
+/// displacement of the surface by heat that has spread that far. With J. W. Craig's integral (MILCOM 1991, 571),
+/// sin φ = 1/cosh v,
 ///
 /// ```text
 /// erfc(x) = (2/π) ∫ exp(−x² cosh² v)/cosh v dv,      v = 0 to ∞:
@@ -123,7 +124,7 @@ struct Lens {
 }
 
 impl Lens {
-    /// Of discs of radii a and b with their centres at a distance.
+    /// Lens of two discs of radii a and b with their centres at a distance.
     fn of(distance: f64, [a, b]: [f64; 2]) -> Self {
         if distance >= a + b {
             return Self::default();

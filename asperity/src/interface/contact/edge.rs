@@ -17,7 +17,8 @@ impl Contact {
         last as f64 + (0.5 + position).max(0.0)
     }
 
-    /// The ratios that locate the edge of the trial state at an angle; none where the contact has no inner ring, or none beyond it.
+    /// The ratios that locate the edge of the trial state at an angle; none where the contact has no inner ring, or none beyond
+    /// it.
     pub fn edge_ratios(&self, j: usize) -> Option<EdgeRatios> {
         let at = |ring: usize| ring * self.columns + j;
         let last = self.last_ring(j)?;

@@ -49,7 +49,7 @@ pub struct Contact {
     nodes: Vec<u32>,
     /// ∫N dA of each node on the flat, in the trial state.
     pub areas: Vec<f64>,
-    /// The same in the committed state.
+    /// ∫N dA of each node on the flat, in the committed state.
     committed_areas: Vec<f64>,
     sectors: Collocation,
     height: Vec<f64>,

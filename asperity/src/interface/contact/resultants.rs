@@ -105,12 +105,12 @@ impl Contact {
 /// Work at the interface, half body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct InterfaceWork {
-    /// Of the flat on the asperity.
+    /// Work of the flat on the asperity.
     pub of_flat: f64,
-    /// Of the shear traction on the slip.
+    /// Work of the shear traction on the slip: frictional dissipation.
     pub friction: f64,
-    /// Of the pressure on the normal springs; vanishes with them.
+    /// Work of the pressure on the normal springs of the contact; vanishes with the mesh.
     pub springs: f64,
-    /// Of the flat that expands.
+    /// Work of the flat by its thermal expansion.
     pub expansion: f64,
 }

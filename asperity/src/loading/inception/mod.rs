@@ -136,13 +136,13 @@ pub fn inception_at(history: &[SlideState], stiffness_share: f64) -> Inception {
 }
 
 impl Inception {
-    /// Of a run without a slide or without friction.
+    /// Result for a run without a slide or without friction.
     pub fn none(history: &[SlideState]) -> Self {
         let load = history.last().map_or(0.0, |state| state.load);
         Self { load, ..Self::default() }
     }
 
-    /// Those by other thresholds of the stiffness, if it is the stiffness that decides.
+    /// Sliding inception by other thresholds of the stiffness, if it is the stiffness that decides.
     pub fn by_other_thresholds(&self, history: &[SlideState]) -> Vec<Inception> {
         match self.criterion {
             InceptionCriterion::Stiffness => {
@@ -225,8 +225,8 @@ impl Inception {
     }
 }
 
-/// Of the slip at which the stick area vanishes between the last two states: the difference from that which the two states
-/// before it extrapolate to, at least a tenth of the interval and at most half of it. The stick area of a growing front is
+/// Uncertainty of the slip at which the stick area vanishes between the last two states: the difference from that which the two
+/// states before it extrapolate to, at least a tenth of the interval and at most half of it. The stick area of a growing front is
 /// nearly linear in the slip, so that both agree to second order.
 fn uncertainty(history: &[SlideState], slip: f64) -> f64 {
     let [.., low, high] = history else { return 0.0 };

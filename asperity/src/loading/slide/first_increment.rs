@@ -18,8 +18,8 @@ impl Slide<'_> {
     fn scale(&self) -> f64 {
         /// Surface temperatures change in proportion to √t at first, by 3 % over a thousandth of the time.
         const FIRST_SHARE: f64 = 0.001;
-        /// Of the elastic displacement: in a shorter increment the rounding of displacements decides. A hot contact cools within
-        /// it, at rates so low that it slips no further meanwhile.
+        /// Least scale over the elastic displacement: in a shorter increment the rounding of displacements decides. A hot
+        /// contact cools within it, at rates so low that it slips no further meanwhile.
         const LEAST: f64 = 1e-6;
         let time = FIRST_SHARE * self.time_before.min(self.last().area);
         let (elastic, fall) = (self.elastic_displacement(), self.length_of_fall());
@@ -35,7 +35,7 @@ impl Slide<'_> {
 
     /// δ_s = τ₀a(2 − ν)/(2G), the elastic displacement at gross slip, with 2 − ν taken as 2.
     fn elastic_displacement(&self) -> f64 {
-        /// Of the strength of the body: beyond it shear takes place below the interface.
+        /// Largest strength of the interface over that of the body: beyond it shear takes place below the interface.
         const MOST_STRENGTH: f64 = 10.0;
         let strength = self.problem.strength_factor.min(MOST_STRENGTH) * SHEAR_RATIO;
         let limit = self.mean_film_limit().map_or(strength, |limit| strength.min(limit));

@@ -65,7 +65,7 @@ pub struct HeatSources {
 }
 
 impl HeatSources {
-    /// Those of the mechanics' trial state.
+    /// Heat sources of the trial state of the mechanics.
     pub fn of(problem: &Problem, body: &Body, contact: &Contact, dt: f64) -> Self {
         let mut plastic = vec![0.0; body.mesh.field_length(1)];
         if problem.taylor_quinney > 0.0 {

@@ -1,9 +1,9 @@
 //! Step control: lengths of the increments of a slide, their predictor, and the bracket of sliding
 //! inception.
 //!
-//! An increment is at most a share of the slip so far, in proportion to Γ (`increment_growth`), and while the stick area falls at most a
-//! share of the way to where it will vanish: in a long increment the points that begin to slip are not as hot as at its end,
-//! and the others stick too long. The increment in which sliding begins is halved until the states before and after
+//! An increment is at most a share of the slip so far, in proportion to Γ (`increment_growth`), and while the stick area falls
+//! at most a share of the way to where it will vanish: in a long increment the points that begin to slip are not as hot as at
+//! its end, and the others stick too long. The increment in which sliding begins is halved until the states before and after
 //! inception are close; then the increments before it are taken up again.
 
 use crate::loading::press::extrapolate;
@@ -15,8 +15,9 @@ const FIRST_INCREMENT: f64 = 0.05;
 const LEAST_INCREMENTS: f64 = 16.0;
 /// Γ that the numbers above are for.
 const REFERENCE_GROWTH: f64 = 0.15;
-/// Largest increment over the slip so far, over Γ, while points stick. With this, [`FIRST_INCREMENT`] and [`APPROACH`] G is 0.5 % (mean size; nine of
-/// ten 1.2 %) from its value in increments a quarter as long, in the 85 slides of the study of effectivity.
+/// Largest increment over the slip so far, over Γ, while points stick. With this, [`FIRST_INCREMENT`] and [`APPROACH`] G is
+/// 0.5 % (mean size; nine of ten 1.2 %) from its value in increments a quarter as long, in the 85 slides of the study of
+/// effectivity.
 const WHILE_STICKING: f64 = 0.7;
 /// Largest part of the way to sliding inception, as the fall of the stick area foretells it, that an increment takes, for
 /// a Γ of twice [`REFERENCE_GROWTH`]. Without it the reported error of G of aluminium at 0.19 ω_c and 3 m/s on 30 elements
@@ -38,9 +39,9 @@ const SHORTEST: f64 = 1e-6;
 pub struct Predictor {
     pub displacement: Vec<f64>,
     pub interference: f64,
-    /// Of the contact, along each angle.
+    /// Position of the contact edge at each angle, see [`crate::interface::contact::Contact::edges`].
     pub edges: Vec<f64>,
-    /// Of the flat, see [`crate::interface::contact::PointState`].
+    /// Elevation of the flat at each contact point, see [`crate::interface::contact::PointState`].
     pub elevation: Vec<[f64; 2]>,
 }
 
@@ -80,7 +81,7 @@ pub struct StepControl {
     /// Characteristic length of the motion, in a hold a time (`Slide::scale`).
     scale: f64,
     increment_growth: f64,
-    /// Of the increments while the contact sticks.
+    /// Shortest increment while the contact sticks, but for the bracket of sliding inception.
     least: f64,
     /// Shortest increment in which sliding inception is bracketed.
     finest: f64,

@@ -14,7 +14,7 @@ pub enum Motion {
 }
 
 impl Motion {
-    /// Of an asperity with the contact radius `radius` (over R) after the press.
+    /// Dimensionless motion of a step of the programme, for the contact radius `radius` (over R) after the press.
     pub fn new(step: &LoadingStep, radius: f64, units: &Units) -> Self {
         match *step {
             LoadingStep::Slip { slip_rate, slip_distance } => {

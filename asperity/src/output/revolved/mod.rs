@@ -16,7 +16,7 @@ use crate::loading::body_fields::{BodyFields, BodySnapshot};
 pub enum Extent {
     /// The simulated half, y ≥ 0.
     Half,
-    /// With its mirror image.
+    /// The whole body: the half y ≥ 0 and its mirror image.
     Whole,
 }
 
@@ -42,7 +42,7 @@ pub struct PointFields {
     pub displacement: Vec<[f64; 3]>,
     /// (xx, yy, zz, xy, yz, xz), Pa.
     pub stress: Vec<[f64; 6]>,
-    /// Of the stress, Pa.
+    /// Von Mises stress, Pa.
     pub von_mises: Vec<f64>,
     pub plastic_strain: Vec<f64>,
     /// K.

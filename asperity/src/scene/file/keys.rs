@@ -26,7 +26,7 @@ pub const POSITIVE_FOR_LOG: Range =
     range("a positive number; zero needs spacing = \"linear\"", POSITIVE.accepts);
 pub const NOT_NEGATIVE: Range = range("zero or a positive number", |x| x >= 0.0 && x.is_finite());
 const SHARE: Range = range("a number from 0 to 1", |x| (0.0..=1.0).contains(&x));
-/// Of an isotropic solid that is neither auxetic nor incompressible.
+/// Poisson's ratio of an isotropic solid that is neither auxetic nor incompressible.
 const POISSON: Range = range("a number from 0 to less than 0.5", |x| (0.0..0.5).contains(&x));
 /// Below, the plastic strain at a stress just above the yield strength, (σ/B)^(1/n), is less than the smallest number.
 const HARDENING_EXPONENT: Range = range("a number from 0.02 to 10", |x| (0.02..=10.0).contains(&x));

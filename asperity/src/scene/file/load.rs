@@ -12,7 +12,7 @@ pub const LOAD: &str = "loading.load";
 pub const INTERFERENCE: &str = "loading.interference";
 const BY_LOAD: &str = "interference";
 
-/// Of a scene that gives a load: leaves room for the interference, and holds the load during the slide unless the scene says
+/// For a scene that gives a load: leaves room for the interference, and holds the load during the slide unless the scene says
 /// otherwise.
 pub fn resolve_load(sections: &mut Table, source: &Source) -> Result<(), SceneFileError> {
     let Some(Value::Table(loading)) = sections.get_mut("loading") else {

@@ -49,12 +49,12 @@ impl Request {
         of_template.into_iter().chain(of_lowest).chain(self.between_temperatures()).collect()
     }
 
-    /// Those of values that are probably in another unit.
+    /// Remarks on values that are probably in another unit.
     pub fn implausible(&self) -> Vec<String> {
         plausible::remarks(&document(self))
     }
 
-    /// The same grid at one initial temperature, K.
+    /// The request restricted to one initial temperature, K.
     pub fn at_temperature(&self, temperature: f64) -> Self {
         Self { template: self.template.at_temperature(temperature), temperatures: Vec::new(), ..self.clone() }
     }

@@ -61,7 +61,8 @@ impl Preset {
             && self.number("density") == Some(material.density)
     }
 
-    /// The same, with rounded values of yield strength and hardening modulus.
+    /// Whether a material has the yield strength and the density of this preset, with rounded values of yield strength and
+    /// hardening modulus.
     pub fn has_strength_near(&self, material: &Material) -> bool {
         const ROUNDING: f64 = 0.006;
         let near =

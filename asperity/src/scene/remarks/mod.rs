@@ -38,7 +38,7 @@ const OPTIONAL: [&str; 9] = [
 ];
 
 impl Scene {
-    /// Its sections as in a file: without the interference that follows from a load.
+    /// Sections of the scene as in a file: without the interference that follows from a load.
     pub(super) fn document(&self) -> Table {
         let mut sections = Table::try_from(self).expect("a scene is plain data");
         if self.loading.load.is_some()
@@ -54,7 +54,7 @@ impl Scene {
         self.remarks_with(&self.document())
     }
 
-    /// Those of values that are probably in another unit.
+    /// Remarks on values that are probably in another unit.
     pub fn implausible(&self) -> Vec<String> {
         plausible::remarks(&self.document())
     }

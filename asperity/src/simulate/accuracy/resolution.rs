@@ -83,10 +83,10 @@ impl Resolution {
         }
     }
 
-    /// On a mesh as fine as the scatter of friction alone requires, which is large in light contacts; what the scene gives
-    /// stays.
+    /// This resolution on a mesh as fine as the scatter of friction alone requires, which is large in light contacts; what the
+    /// scene gives stays.
     pub fn for_scatter(self, numerics: &Numerics, interference: f64) -> Self {
-        /// Of the accuracy that the scatter may take.
+        /// Share of the accuracy that the scatter may take.
         const SHARE: f64 = 0.85;
         let elements = self.elements_per_radius;
         let error = COVERAGE_FACTOR * scatter(Quantity::Mu, interference, elements);
@@ -106,7 +106,7 @@ impl Resolution {
         (PRESS_INCREMENTS / self.increment_growth).round() as usize
     }
 
-    /// Of a mesh that is laid out for a contact radius, over R.
+    /// Size of a mesh that is laid out for a contact radius, over R.
     pub fn mesh_size(&self, contact_radius: f64) -> MeshSize {
         let Self { elements_per_radius, growth_zone, thermal_layer_refinements, .. } = *self;
         MeshSize { contact_radius, elements_per_radius, growth_zone, thermal_layer_refinements }
@@ -120,7 +120,7 @@ impl Resolution {
             && self.press_increments() == other.press_increments()
     }
 
-    /// On a mesh half as fine, all else alike; for the coarsest meshes, which have no coarser ones, on one and a half
+    /// This resolution on a mesh half as fine; for the coarsest meshes, which have no coarser ones, on one and a half
     /// times as fine a mesh.
     pub fn coarse(&self) -> Self {
         self.on_mesh(match self.elements_per_radius {
@@ -129,39 +129,39 @@ impl Resolution {
         })
     }
 
-    /// Those of the auxiliary runs: on the coarse mesh unchanged, with another N_θ, with longer increments and a looser
+    /// Resolutions of the auxiliary runs: on the coarse mesh unchanged, with another N_θ, with longer increments and a looser
     /// solver.
     pub fn auxiliary(&self) -> [Self; 3] {
         let coarse = self.coarse();
         [coarse, coarse.other_sectors(), coarse.longer_steps().looser_solver()]
     }
 
-    /// The same with more room for the contact to grow.
+    /// This resolution with more room for the contact to grow.
     pub fn wider(&self) -> Self {
         Self { growth_zone: WIDER * self.growth_zone, ..*self }
     }
 
-    /// The same with another N_θ: the next finer where this is the coarsest.
+    /// This resolution with another N_θ: the next finer where this is the coarsest.
     pub fn other_sectors(&self) -> Self {
         Self { sectors: if self.sectors < 8 { 8 } else { (self.sectors / 2).next_multiple_of(4) }, ..*self }
     }
 
-    /// The same in increments twice as large.
+    /// This resolution with increments twice as large.
     pub fn longer_steps(&self) -> Self {
         Self { increment_growth: 2.0 * self.increment_growth, ..*self }
     }
 
-    /// The same solved less exactly.
+    /// This resolution with a looser tolerance of the solver.
     pub fn looser_solver(&self) -> Self {
         Self { tolerance: 10.0 * self.tolerance, ..*self }
     }
 
-    /// On a mesh `factor` times as fine, all else alike.
+    /// This resolution on a mesh `factor` times as fine.
     pub fn finer_mesh(&self, factor: usize) -> Self {
         self.on_mesh(factor * self.elements_per_radius)
     }
 
-    /// The same in increments of press and slide `factor` times shorter.
+    /// This resolution with increments of press and slide `factor` times shorter.
     pub fn shorter_steps(&self, factor: usize) -> Self {
         Self { increment_growth: self.increment_growth / factor as f64, ..*self }
     }

@@ -95,7 +95,7 @@ pub enum Note {
     Remeshed {
         /// Contact radius over that after the press.
         radius_ratio: f64,
-        /// The same that the mesh has room for.
+        /// Largest contact radius over that after the press for which the mesh has room.
         room: f64,
     },
     /// Optional keys of the scene with their default values.

@@ -117,13 +117,13 @@ pub enum Warning {
     /// Temperatures of the run outside a table of the scene.
     #[error("{0}")]
     OutsideTable(String),
-    /// Of the scene.
+    /// A remark on the scene.
     #[error("{0}")]
     Scene(String),
 }
 
 impl Warning {
-    /// Of a relative error, and its part that no finer resolution reduces, that is above `times` the accuracy.
+    /// Warning of a relative error, and its part that no finer resolution reduces, that is above `times` the accuracy.
     pub fn of_error(quantity: Quantity, [error, lasting]: [f64; 2], times: f64, accuracy: f64) -> Self {
         match error < 1.0 {
             true => Self::ErrorAboveAccuracy { quantity, error, lasting, times, accuracy },

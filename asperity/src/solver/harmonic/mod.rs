@@ -68,7 +68,7 @@ pub struct ThetaTransform {
     /// `[m*columns + j]`: weight of harmonic m at angle j; see [`Collocation::harmonics`].
     even: Vec<f64>,
     odd: Vec<f64>,
-    /// The same with the indices swapped.
+    /// Transposes of `even` and `odd`.
     even_transposed: Vec<f64>,
     odd_transposed: Vec<f64>,
 }

@@ -33,7 +33,7 @@ pub struct SingleFactors {
 }
 
 impl SingleFactors {
-    /// Of the factors of a vector field.
+    /// Converts the factors of a vector field.
     pub fn new(factors: &HarmonicFactors) -> Self {
         assert_eq!(factors.kind, FieldKind::Vector);
         let lanes = factors.harmonics();
@@ -140,8 +140,8 @@ impl SingleFactors {
         self.triangle.block.len() + self.triangle.diagonal.len()
     }
 
-    /// Schur complement of the innermost `rings`, the stiffness of the body at them while the others are free, for harmonic m between (ring,
-    /// component) i and j, as `f(i, j, m, value)`.
+    /// Schur complement of the innermost `rings`, the stiffness of the body at them while the others are free, for harmonic m
+    /// between (ring, component) i and j, as `f(i, j, m, value)`.
     pub fn schur_complement(&self, rings: usize, mut f: impl FnMut(usize, usize, usize, f64)) {
         let (lanes, n) = (self.harmonics(), SIZE * self.rings);
         let slot = |i: usize| SIZE * (self.rings - 1 - i / SIZE) + i % SIZE;

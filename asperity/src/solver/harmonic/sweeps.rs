@@ -39,7 +39,7 @@ fn subtract_product<T: Real>(c: T, a: T, b: T) -> T {
 pub struct BlockTriangle<T> {
     /// Harmonics.
     pub lanes: usize,
-    /// Of the blocks below the diagonal, per block column.
+    /// Start of the blocks below the diagonal, per block column.
     pub start: Vec<u32>,
     pub row: Vec<u32>,
     /// Blocks, row by row: `[((block*C + r)*C + c)*lanes + m]`.

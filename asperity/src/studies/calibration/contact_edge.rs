@@ -22,7 +22,7 @@ const SLIDES: [(&str, f64); 5] = [
     ("steel-1045", 50.0),
 ];
 
-/// Of light contacts, in which the shear traction at the edge counts.
+/// Slides of light contacts, in which the shear traction at the edge counts.
 const LIGHT_SLIDES: [(&str, f64); 5] =
     [("copper", 0.35), ("titanium-6al4v", 0.5), ("steel-4340", 0.7), ("steel-304", 1.2), ("steel-4340", 2.0)];
 
@@ -34,7 +34,7 @@ struct Edge {
 }
 
 impl Edge {
-    /// Of a contact whose edge is at `radius` at an angle.
+    /// Edge of a contact, which is at `radius` at an angle.
     fn at(contact: &Contact, angle: usize, radius: f64) -> Option<Self> {
         let (last, ratios) = contact.last_ring(angle).zip(contact.edge_ratios(angle))?;
         let (inner, next) = (contact.radii[last], contact.radii[last + 1]);

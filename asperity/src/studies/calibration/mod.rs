@@ -26,7 +26,7 @@ pub struct FittedConstant {
 /// A residual of the stored constants, and of those fitted anew.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Residual {
-    /// Of which data, and in which unit.
+    /// Data that the residual is of, and its unit.
     pub of: String,
     pub points: usize,
     /// Root mean square.

@@ -34,9 +34,9 @@ pub struct Run {
     pub elements_per_radius: usize,
     pub sectors: usize,
     pub steps: usize,
-    /// With its auxiliary runs, s.
+    /// Wall-clock time with auxiliary runs, s.
     pub wall_time: f64,
-    /// Of all threads, s.
+    /// Processor time of all threads, s.
     pub cpu_time: f64,
     /// Values with their estimated errors.
     pub scalars: Scalars,
@@ -46,7 +46,7 @@ pub struct Run {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
     pub value: f64,
-    /// Of the limit itself: its distance from the finest run.
+    /// Uncertainty of the limit: its distance from the finest run.
     pub uncertainty: f64,
     /// Order in the element size that the runs at n/4, n/2 and n show, if they do.
     pub order: Option<f64>,
@@ -132,7 +132,7 @@ impl Convergence {
 
 /// Richardson's limit of values on meshes n/4, n/2 and n.
 fn limit([first, second, third]: [f64; 3]) -> Limit {
-    /// Of a square-root edge; taken where the values show no order.
+    /// Order of a square-root edge; taken where the values show no order.
     const EXPECTED: f64 = 1.5;
     const ORDERS: (f64, f64) = (0.5, 3.0);
     let order = ((second - first) / (third - second)).log2();
@@ -152,7 +152,7 @@ fn timed(
     Ok((Run { chosen, elements_per_radius, sectors, steps, wall_time, cpu_time, scalars }, account))
 }
 
-/// Of all threads of the process so far, s.
+/// Processor time of all threads of the process so far, s.
 fn cpu_time() -> f64 {
     let time = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
     time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64

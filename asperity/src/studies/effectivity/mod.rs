@@ -49,7 +49,7 @@ impl Role {
     pub const ALL: [Role; 5] =
         [Role::MoreElements, Role::MoreSectors, Role::ShorterSteps, Role::Reported, Role::Base];
 
-    /// Of a single run; none of a run with error estimates.
+    /// Resolution of a single run; none for a run with error estimates.
     fn resolution(self, base: &Resolution) -> Option<Resolution> {
         match self {
             Role::Reported => None,

@@ -12,17 +12,17 @@ use crate::simulate::outcome::{ErrorSource, Outcome};
 /// One run.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Record {
-    /// Its position, see [`super::scenes::study_scene`].
+    /// Position of the scene, see [`super::scenes::study_scene`].
     pub scene: usize,
     pub role: Role,
-    /// Of the build that ran it.
+    /// Fingerprint of the build that ran it.
     pub fingerprint: String,
     /// s, of this run alone on one thread.
     pub wall_time: f64,
-    /// Of a run without error estimates.
+    /// Result of a run without error estimates.
     #[serde(rename = "sample")]
     pub run_history: Option<RunHistory>,
-    /// Of a run with error estimates.
+    /// Result of a run with error estimates.
     pub reported: Option<Reported>,
     /// Why there is no result.
     pub failure: Option<String>,

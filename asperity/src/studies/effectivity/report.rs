@@ -45,7 +45,7 @@ impl Judged {
 /// One scene with all its runs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneReport {
-    /// Its position, see [`scenes::study_scene`].
+    /// Position of the scene, see [`scenes::study_scene`].
     pub scene: usize,
     /// Without the quantities that its run does not determine.
     pub judged: Vec<Judged>,
@@ -89,7 +89,7 @@ fn quantile(mut values: Vec<f64>, share: f64) -> f64 {
 }
 
 impl Report {
-    /// Of the records of a journal.
+    /// Report of the records of a journal.
     pub fn new(records: &[Record]) -> Self {
         let mut report = Self { scenes: Vec::new(), missing: Vec::new() };
         for scene in 0..scenes::COUNT {

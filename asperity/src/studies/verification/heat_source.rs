@@ -68,7 +68,7 @@ pub(super) fn slide(
     slide_beside(&|_| Counterface::default(), (softening, fourier, softens), elements, watch)
 }
 
-/// The same beside the counterface of a scene.
+/// Slide beside the counterface of a scene.
 pub(super) fn slide_beside(
     counterface: &dyn Fn(&Scene) -> Counterface,
     (softening, fourier, softens): (f64, f64, bool),

@@ -54,7 +54,7 @@ fn joined(parts: impl IntoIterator<Item = Rows>) -> Rows {
 pub struct Case {
     pub name: &'static str,
     pub cost: Cost,
-    /// Its rows; the error is of a run that did not converge or was cancelled.
+    /// Computes the rows; the error is of a run that did not converge or was cancelled.
     run: fn(&dyn Watch) -> Rows,
 }
 

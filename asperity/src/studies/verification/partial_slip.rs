@@ -41,11 +41,11 @@ pub const CASES: [Case; 4] = [
 /// Tolerances on a mesh.
 pub(super) struct On {
     elements: usize,
-    /// Of Q and the stiffness, relative.
+    /// Relative tolerance of Q and the stiffness.
     pub(super) force: f64,
-    /// Of energies over τ₀πa²δ_s.
+    /// Tolerance of energies over τ₀πa²δ_s.
     energy: f64,
-    /// Of the displacement at gross slip, relative: the stiffness, and the extrapolation of the mobilised strength.
+    /// Relative tolerance of the displacement at gross slip: the stiffness, and the extrapolation of the mobilised strength.
     inception: f64,
 }
 
@@ -71,7 +71,7 @@ impl On {
         Tolerance::relative(self.inception, "mesh, 0.5 n_c^-1.5; extrapolation, 0.5 %")
     }
 
-    /// Of c²/a²: half a ring of nodes at c. Ring spacings h fall from 1.6 a/n_c at the apex to a/(3 n_c) at the edge in
+    /// Tolerance of c²/a²: half a ring of nodes at c. Ring spacings h fall from 1.6 a/n_c at the apex to a/(3 n_c) at the edge in
     /// arithmetic progression, so that h² is linear in r.
     fn stick(&self, stick_radius: f64) -> Tolerance {
         const APEX: f64 = 1.6;

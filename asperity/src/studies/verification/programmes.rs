@@ -118,8 +118,8 @@ fn rate_step(watch: &dyn Watch) -> Rows {
     Ok(rows)
 }
 
-/// The same interface after the flat has stopped: Q falls with the logarithm of time as the contact slips on. The strength is
-/// computed at the rate of the reference; that the contact slips at that rate is seen in the heat.
+/// An interface with the rate law after the flat has stopped: Q falls with the logarithm of time as the contact slips on. The
+/// strength is computed at the rate of the reference; that the contact slips at that rate is seen in the heat.
 fn relaxation(watch: &dyn Watch) -> Rows {
     const SLIDER: &str = "slider on a spring, Perfettini & Avouac 2004, 10.1029/2003JB002488";
     const RATE: f64 = 1.0;

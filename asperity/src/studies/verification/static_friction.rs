@@ -29,7 +29,7 @@ const YIELD: f64 = 200e6;
 
 /// The authors' fits of 2007 over load and of 2008 over interference.
 const FITS: f64 = 0.045;
-/// That of 8 % of the authors' first yield in full stick at ν = 0.3, which is the unit of the fits.
+/// Uncertainty by 8 % of the authors' first yield in full stick at ν = 0.3, which is the unit of the fits.
 const FIRST_YIELD: f64 = 0.018;
 const FULL_STICK: Tolerance = Tolerance::relative(
     0.15,

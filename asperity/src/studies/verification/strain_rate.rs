@@ -83,7 +83,7 @@ pub(super) fn strength(rate: f64) -> f64 {
     1.0 + COEFFICIENT * rate.ln()
 }
 
-/// Its relative change with the logarithm of the rate.
+/// Relative change of the strength with the logarithm of the rate.
 pub(super) fn sensitivity(rate: f64) -> f64 {
     COEFFICIENT / strength(rate)
 }

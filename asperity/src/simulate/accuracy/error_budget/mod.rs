@@ -175,14 +175,14 @@ impl ErrorBudget {
             .map(|quantity| OF_BOUND * modelling_error.share(quantity) * values.magnitude(quantity));
     }
 
-    /// Of runs that did not all finish: unknown, but for quantities with a `known` reported error.
+    /// Error budget of runs that did not all finish: unknown, but for quantities with a `known` reported error.
     pub fn unknown(known: impl Fn(Quantity) -> Option<f64>) -> Self {
         let known = Quantity::SCALARS.map(|q| known(q).map_or(f64::NAN, |error| error / COVERAGE_FACTOR));
         let others = known.map(|error| if error.is_nan() { f64::NAN } else { 0.0 });
         Self { parts: [known, others, others, others, others], ..Self::default() }
     }
 
-    /// Of the reported error; of an unfinished run all of a known one is the mesh's.
+    /// Part of a source in the reported error; of an unfinished run all of a known one is the mesh's.
     pub fn part(&self, source: ErrorSource, quantity: Quantity) -> f64 {
         let bracket = if source == ErrorSource::Steps { self.brackets[quantity as usize] } else { 0.0 };
         COVERAGE_FACTOR * self.parts[source as usize][quantity as usize].hypot(bracket)
@@ -194,7 +194,7 @@ impl ErrorBudget {
         COVERAGE_FACTOR * model.hypot(self.brackets[quantity as usize])
     }
 
-    /// Of values multiplied by a factor.
+    /// Error budget of values that are multiplied by a factor.
     pub fn scaled(mut self, factor: impl Fn(Quantity) -> f64) -> Self {
         for quantity in Quantity::SCALARS {
             let parts = self.parts.iter_mut().chain([&mut self.brackets]);
