@@ -145,7 +145,7 @@ pub(super) struct RunArguments {
 }
 
 impl RunArguments {
-    /// With outputs beside those given: `run.incomplete.nc` and so on.
+    /// These arguments with outputs beside those given: `run.incomplete.nc` and so on.
     pub(super) fn of_incomplete(&self) -> Self {
         let beside = |path: &PathBuf| {
             let mut name = path.file_stem().unwrap_or_default().to_owned();

@@ -16,7 +16,7 @@
 
 use roots::{SimpleConvergency, find_root_brent};
 
-/// Where the mesh is fine: everything in units of the sphere's radius.
+/// Extent and fineness of the mesh, lengths in units of the sphere's radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshSize {
     /// Contact radius that the rings are laid out for.
@@ -30,7 +30,7 @@ pub struct MeshSize {
 }
 
 impl MeshSize {
-    /// With the growth zone that most slides need.
+    /// Size of a mesh with the growth zone that most slides need.
     #[cfg(test)]
     pub fn new(contact_radius: f64, elements_per_radius: usize) -> Self {
         Self { contact_radius, elements_per_radius, growth_zone: GROWTH_ZONE, thermal_layer_refinements: 0 }

@@ -51,7 +51,7 @@ pub struct HeatEffect {
 }
 
 impl HeatEffect {
-    /// At a slip rate (m/s) and the radius of the contact (m).
+    /// Expected effect of heat at a slip rate (m/s) and the radius of the contact (m).
     pub fn expected(scene: &Scene, slip_rate: f64, contact_radius: f64) -> Self {
         let counterface = scene.expansion_of_counterface();
         let scene = &scene.with_combined_modulus();

@@ -72,7 +72,7 @@ impl BodySnapshot {
 }
 
 impl BodyFields {
-    /// None if no states were recorded.
+    /// Fields of the recorded states; none if no states were recorded.
     pub(crate) fn new(mesh: &RevolvedMesh, snapshots: Vec<BodySnapshot>, units: &Units) -> Option<Self> {
         let scale = |&[r, z]: &[f64; 2]| [r * units.length, z * units.length];
         (!snapshots.is_empty()).then(|| Self {

@@ -47,14 +47,14 @@ pub struct Problem {
     pub wave_speed: f64,
     /// ρc·(1 K)/σ_Y at T₀; also k·(1 K), as κ = 1.
     pub heat_capacity: f64,
-    /// None where specific heat and conductivity are constant.
+    /// Properties that depend on temperature; none where specific heat and conductivity are constant.
     pub thermal_properties: Option<ThermalProperties>,
     /// Share of the frictional heat that is released into the asperity; a conducting counterface takes up heat from
     /// there.
     pub heat_partition: f64,
     /// Share that enters the asperity when sliding begins.
     pub initial_heat_partition: f64,
-    /// None where the flat is isothermal.
+    /// The counterface that conducts; none where the flat is isothermal.
     pub counterface: Option<HalfSpace>,
     pub taylor_quinney: f64,
     /// Rise at which neither body nor interface has any strength.

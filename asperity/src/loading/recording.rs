@@ -66,7 +66,7 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// For a slide of an asperity of contact radius `radius` (over R) that starts in `start`.
+    /// Recorder for a slide of an asperity of contact radius `radius` (over R) that starts in `start`.
     pub fn new(recording: &Recording, radius: f64, start: &SlideState) -> Self {
         let mut slips: Vec<f64> = recording.slips.iter().map(|slip| slip * radius).collect();
         slips.sort_by(|a, b| b.total_cmp(a));

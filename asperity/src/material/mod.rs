@@ -38,7 +38,7 @@ pub const SHEAR_RATIO: f64 = 0.577_350_269_189_625_8;
 /// The material in dimensionless form.
 #[derive(Clone, Debug)]
 pub struct Solid {
-    /// At the initial temperature.
+    /// Elastic moduli at the initial temperature.
     pub moduli: Moduli,
     /// E(T)/E(T₀) over the rise, unless constant.
     stiffness: Option<Curve>,

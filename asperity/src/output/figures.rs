@@ -46,7 +46,7 @@ type Labelled = (&'static str, Quantity);
 /// Histories in one panel: its name, title, label and unit, and the histories.
 type Shown = (&'static str, &'static str, &'static str, &'static str, &'static [Labelled]);
 
-/// What changes at the onset of sliding, in a small part of the slide: over the logarithm of the slip.
+/// Quantities that change at the onset of sliding, in a small part of the slide: over the logarithm of the slip.
 #[rustfmt::skip]
 const AT_ONSET: [Shown; 4] = [
     ("friction", "Friction", "Friction coefficient μ = Q/P", "", &[("", Quantity::Mu)]),
@@ -133,7 +133,7 @@ fn panel(outcome: &Outcome, (name, title, label, unit, histories): Shown, at_ons
     Panel::new(name, title, slip_axis(outcome, at_onset), Axis::linear(label), curves)
 }
 
-/// From stick to slip.
+/// Panel of the change from stick to slip.
 fn onset(outcome: &Outcome) -> Panel {
     let curve = |name, quantity, scale: f64| {
         let values = outcome.slide.column(quantity).iter().map(|value| value / scale).collect();

@@ -30,7 +30,7 @@ impl JournalFile {
         Ok((Self { path: path.to_owned(), file, torn }, text))
     }
 
-    /// Where it is.
+    /// Path of the file.
     pub fn path(&self) -> &Path {
         &self.path
     }

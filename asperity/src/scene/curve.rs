@@ -104,7 +104,7 @@ pub struct CurvePoint {
     after: usize,
     /// End of its segment that is nearer to 0.
     knot: usize,
-    /// From there.
+    /// Distance from that knot.
     distance: f64,
 }
 

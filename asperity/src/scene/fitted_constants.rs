@@ -200,9 +200,9 @@ pub(crate) mod localised_shear {
         pub inception_slip: f64,
         pub energy: f64,
     }
-    /// On a yield plateau.
+    /// Bounds on a yield plateau.
     pub const ON_PLATEAU: Bounds = Bounds { friction: 0.03, load: 0.02, inception_slip: 0.4, energy: 0.6 };
-    /// The body never becomes stronger than the interface.
+    /// Bounds where the body never becomes stronger than the interface.
     pub const WITHOUT_LIMIT: Bounds = Bounds { friction: 0.1, load: 0.1, ..ON_PLATEAU };
 }
 
@@ -265,7 +265,7 @@ pub(crate) mod smooth_flux {
     pub const CONDUCTIVITIES: [f64; 5] = [0.1, 0.3, 1.0, 3.0, 10.0];
     /// Va/(2κ₂).
     pub const PECLET: [f64; 3] = [10.0, 100.0, 1e3];
-    /// At each conductivity and each Péclet number.
+    /// Bound of the mean rise at each conductivity and each Péclet number.
     pub const MEAN_RISE: [[f64; PECLET.len()]; CONDUCTIVITIES.len()] = [
         [0.0035, 0.0105, 0.012],
         [0.0055, 0.0095, 0.0065],

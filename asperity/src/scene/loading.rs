@@ -22,7 +22,7 @@ pub struct Loading {
     pub load: Option<f64>,
     /// V, m/s; 0 is the isothermal limit. Of a programme the largest magnitude.
     pub slip_rate: f64,
-    /// In contact radii a₀ at the end of the press; infinite for `"steady"`. Of a programme the sum of its steps.
+    /// Slip distance in contact radii a₀ at the end of the press; infinite for `"steady"`. Of a programme the sum of its steps.
     #[serde(default = "default_slip_distance", with = "until_steady")]
     pub slip_distance: f64,
     #[serde(default)]
@@ -46,7 +46,7 @@ pub enum LoadingStep {
 }
 
 impl Loading {
-    /// With the programme `steps`, whose first step slides.
+    /// This loading with the programme `steps`, whose first step slides.
     pub fn with_steps(self, steps: Vec<LoadingStep>) -> Self {
         let (slip_rate, slip_distance) = extent(&steps);
         Self { slip_rate, slip_distance, steps, ..self }
@@ -60,7 +60,7 @@ impl Loading {
         }
     }
 
-    /// What is given so that a simulation has to find a number first, as one of several slides from one press cannot.
+    /// Input that is given so that a simulation has to find a number first, as one of several slides from one press cannot.
     pub fn to_be_found(&self) -> Option<&'static str> {
         match self.load {
             Some(_) => Some("loading.load"),

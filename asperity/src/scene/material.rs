@@ -140,7 +140,7 @@ pub enum FractureData {
 pub struct TemperatureTable {
     /// K, not falling.
     pub temperature: Vec<f64>,
-    /// In the unit of the property.
+    /// Values in the unit of the property.
     pub value: Vec<f64>,
 }
 
@@ -200,7 +200,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// As the material of a closed form.
+    /// The material of the closed forms.
     pub fn elastic_plastic(&self) -> ElasticPlastic {
         ElasticPlastic {
             youngs_modulus: self.youngs_modulus,

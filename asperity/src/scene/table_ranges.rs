@@ -4,7 +4,7 @@ use tables::numbers::{digits, plain};
 
 use crate::scene::{Hardening, Scene, Softening};
 
-/// By which a temperature may be outside, K: as that of a room, at which tables begin, is 293 to 300 K.
+/// Margin by which a temperature may be outside a table, K: as that of a room, at which tables begin, is 293 to 300 K.
 const MARGIN: f64 = 10.0;
 
 /// Key, temperatures (K) and values of a table.

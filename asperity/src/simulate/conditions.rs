@@ -22,7 +22,7 @@ pub(super) struct Conditions<'a> {
     pub heat: HeatChoice,
     /// Expected effect of heat, whether it is simulated or not.
     pub effect: HeatEffect,
-    /// A single step, if the scene has no programme.
+    /// Steps of the slide; a single one if the scene has no programme.
     pub programme: Vec<LoadingStep>,
     /// VR/κ of the fastest step, 0 without heat.
     speed: f64,
@@ -33,7 +33,8 @@ pub(super) struct Conditions<'a> {
 }
 
 impl<'a> Conditions<'a> {
-    /// At a slip rate, m/s, unless the scene has a programme; an error where plastic flow heats the material too strongly.
+    /// Conditions at a slip rate, m/s, unless the scene has a programme; an error where plastic flow heats the material too
+    /// strongly.
     pub fn new(pressed: &'a Pressed, slip_rate: f64) -> Result<Self, SimulationError> {
         let Pressed { scene, problem, contact_radius, .. } = pressed;
         let contact_radius = *contact_radius;

@@ -19,12 +19,12 @@ const MEANINGFUL: f64 = 1.5;
 /// The main run and the auxiliary runs of the resolution `start`.
 pub(super) struct Ladder {
     pub start: Resolution,
-    /// On the coarse mesh: unchanged, with another N_θ, with longer increments and a looser solver, and where their effect
-    /// matters with the looser solver alone.
+    /// Auxiliary runs on the coarse mesh: unchanged, with another N_θ, with longer increments and a looser solver, and where
+    /// their effect matters with the looser solver alone.
     pub auxiliary: Vec<Run>,
-    /// Each finer than the one before.
+    /// Main runs, each finer than the one before.
     pub main: Vec<Run>,
-    /// On the coarse mesh of the finest of them, where that is not the first: errors depend on the final resolution and
+    /// Run on the coarse mesh of the finest main run, where that is not the first: errors depend on the final resolution and
     /// not on those before.
     pub coarse: Option<Run>,
     /// A finer run, and that on its coarse mesh, of which one did not finish.

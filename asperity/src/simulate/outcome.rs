@@ -51,10 +51,10 @@ pub struct Account {
     pub line_searches: usize,
     /// s.
     pub wall_time: f64,
-    /// Where the time went; without that of the output, which is not done then.
+    /// Time of the run by part of the computation; without that of the output, which is not done then.
     #[serde(skip)]
     pub timings: Timings,
-    /// What was chosen or left out and why.
+    /// Notes on what was chosen or left out and why.
     #[serde(skip)]
     pub notes: Vec<Note>,
     /// Limitations of the results.

@@ -41,8 +41,8 @@ pub(super) struct PressedMesh {
 
 /// Asperity after the press: start of slides at any slip rate.
 pub struct Pressed {
-    /// With the combined modulus of asperity and counterface. Its slip rate is unused: each slide has its own, an argument of
-    /// [`super::slide`].
+    /// Scene with the combined modulus of asperity and counterface. Its slip rate is unused: each slide has its own, an
+    /// argument of [`super::slide`].
     pub(super) scene: Scene,
     pub(super) problem: Problem,
     /// Strain measure, where the scene leaves the choice.

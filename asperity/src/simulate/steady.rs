@@ -164,7 +164,7 @@ impl Line {
         (points.len() >= 4).then_some(Self { middle: (x, y), slope, width, variance: residual / (n - 2.0) })
     }
 
-    /// With the half-width of its 95 % interval by the scatter of the states.
+    /// Value with the half-width of its 95 % interval by the scatter of the states.
     fn at(&self, x: f64) -> Estimate {
         let from_middle = x - self.middle.0;
         let uncertainty = (self.variance * (1.0 + from_middle * from_middle / self.width)).sqrt();

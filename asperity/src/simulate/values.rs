@@ -103,7 +103,7 @@ impl Values {
         }
     }
 
-    /// With the temperature rise (K) to expect of a slide without heat.
+    /// These values with the temperature rise (K) to expect of a slide without heat.
     pub fn with_expected_rise(mut self, rise: f64) -> Self {
         for quantity in [Quantity::TemperatureMax, Quantity::TemperatureMean] {
             self.values[quantity as usize] += rise;
@@ -128,7 +128,7 @@ impl Values {
         (self.value(quantity) - origin).abs()
     }
 
-    /// What the value changes over the uncertainty of sliding inception between two states, and where the stiffness
+    /// Change of the value over the uncertainty of sliding inception between two states, and where the stiffness
     /// decides on it by another threshold; of the steady friction, its uncertainty by the length of the slide.
     pub fn bracket(&self, quantity: Quantity) -> f64 {
         self.brackets[quantity as usize]

@@ -112,7 +112,7 @@ impl Kernels {
         self.steps
     }
 
-    /// With a strain beyond that of the slide, so that what has flowed flows again.
+    /// Internal force with a strain beyond that of the slide, so that what has flowed flows again.
     pub fn internal_force(&mut self) {
         let further: Vec<f64> = self.displacement.iter().map(|u| 1.02 * u).collect();
         self.body.internal_force(&further, Some(&self.rise), &mut self.force);
@@ -141,7 +141,7 @@ impl Kernels {
         Work { operations: PATHS * LANES * 500, bytes: PATHS * size_of::<Ends>() }
     }
 
-    /// At the last internal force.
+    /// Product with the tangent at the last internal force.
     pub fn tangent_product(&mut self) {
         let zone = self.body.inelastic_zone();
         self.body.stiffness_loss(&zone, &self.displacement, &mut self.force);

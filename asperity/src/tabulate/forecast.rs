@@ -22,7 +22,7 @@ pub struct Forecast {
 }
 
 impl Forecast {
-    /// For cells with these expected times, s, that wait for `workers` threads.
+    /// Forecast for cells with these expected times, s, that wait for `workers` threads.
     pub fn new(expected: &[f64], workers: usize) -> Self {
         let cells = expected.iter().map(|seconds| (*seconds, State::Waiting)).collect();
         Self { cells, workers, logarithms: 0.0, runs: 0 }

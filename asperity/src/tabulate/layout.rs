@@ -9,7 +9,7 @@ use crate::simulate::expected_time::expected_time;
 /// The rows of cells are the interferences at the first temperature, then those at the next.
 #[derive(Clone, Copy)]
 pub struct Layout<'a> {
-    /// What the scenes of each initial temperature share.
+    /// Template of the scenes of each initial temperature.
     pub templates: &'a [Scene],
     pub axes: &'a Axes,
 }

@@ -101,7 +101,7 @@ pub enum TabulateError {
          table anew leave out --resume"
     )]
     OtherBuild(String),
-    /// What the file that the table is written to is instead.
+    /// The file that the table would be written to is no table.
     #[error("{0}; --resume would replace the file: delete it, or choose another name with --output")]
     NoTable(DatasetError),
     #[error(
@@ -113,7 +113,7 @@ pub enum TabulateError {
         asked: String,
         /// ω₀/ω_c.
         most: String,
-        /// At which initial temperature, where there are several.
+        /// Initial temperature, where there are several.
         at: String,
     },
     #[error("cannot start {jobs} threads: {reason}")]

@@ -20,7 +20,7 @@ pub struct FiniteTangent {
     pub small: Vec<bool>,
     /// ψ'' over ∫J dV of each element: (K − p)/(V J̄²), p the mean stress.
     pub volumetric: Vec<f64>,
-    /// For the logarithm.
+    /// Quadrature rules of the logarithm.
     rules: Rules,
 }
 

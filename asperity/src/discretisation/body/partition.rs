@@ -37,7 +37,7 @@ pub(super) struct Partition {
 #[derive(Clone, Copy, Debug, Default)]
 struct PartNode {
     part: u32,
-    /// Among the nodes of all parts.
+    /// Number of the node among those of all parts.
     node: u32,
 }
 

@@ -28,7 +28,7 @@ pub(super) struct ElementHeat<const W: usize> {
 }
 
 impl<const W: usize> ElementHeat<W> {
-    /// At the points from `first` on that fill N lanes.
+    /// Temperatures of the points from `first` on that fill N lanes.
     #[inline(always)]
     pub(super) fn at_points<const N: usize>(&self, first: usize) -> PointTemperature<N> {
         let rise = &self.point_rise.as_flattened()[first * W..];

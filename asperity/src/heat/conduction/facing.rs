@@ -36,8 +36,8 @@ pub(super) struct Facing<'a> {
 }
 
 impl<'a> Facing<'a> {
-    /// In a step `dt` in which the counterface moves by `slip`, of a body of effusivity `effusivity`, with the Jacobian `known` from
-    /// a step of the same length.
+    /// The counterface facing the contact in a step `dt` in which it moves by `slip`, of a body of effusivity `effusivity`,
+    /// with the Jacobian `known` from a step of the same length.
     pub(super) fn new(
         half_space: &'a HalfSpace,
         disc: ContactDisc,
@@ -172,7 +172,7 @@ pub(super) struct Drawn<'a> {
 }
 
 impl<'a> Drawn<'a> {
-    /// With the flux `flux` into the counterface while friction generates `frictional`.
+    /// Heat flow at the contact with the flux `flux` into the counterface while friction generates `frictional`.
     pub(super) fn new(
         heat: &'a dyn ContactHeat,
         disc: &'a ContactDisc,

@@ -74,15 +74,15 @@ pub trait ContactHeat {
 /// Heat exchanged in one step, half body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HeatBalance {
-    /// In through the contact; what a conducting counterface takes up is not included.
+    /// Heat in through the contact; what a conducting counterface takes up is not included.
     pub contact: f64,
-    /// Out into the flat.
+    /// Heat out into the flat.
     pub gap: f64,
-    /// Into a conducting counterface.
+    /// Heat into a conducting counterface.
     pub counterface: f64,
-    /// Given to the body directly.
+    /// Heat given to the body directly.
     pub body: f64,
-    /// Out through the base.
+    /// Heat out through the base.
     pub base: f64,
 }
 
@@ -95,7 +95,7 @@ struct Tried {
 }
 
 pub struct Conduction {
-    /// The body's with its upper layers divided.
+    /// Mesh of the body with its upper layers divided.
     mesh: RevolvedMesh,
     sublayers: Sublayers,
     /// ρc₀ per kelvin (κ = 1, so also k₀).
@@ -108,19 +108,19 @@ pub struct Conduction {
     /// Factors for the last step sizes used.
     cache: Vec<(f64, Arc<StepMatrix>)>,
     contact_indices: Vec<usize>,
-    /// None where specific heat and conductivity are constant.
+    /// Properties that depend on temperature; none where specific heat and conductivity are constant.
     varying: Option<Kirchhoff>,
     /// The body that faces the contact, if it conducts.
     pub(crate) counterface: Option<HalfSpace>,
     /// The step advanced last since the last commit.
     tried: Option<Tried>,
-    /// At the nodes, those of the body first.
+    /// Committed temperatures at the nodes, those of the body first.
     pub committed: HeatState,
 }
 
 impl Conduction {
-    /// On the mesh of a body, with its first layer divided into `sublayers` parts and the next ones halved; with one part
-    /// on the mesh of the body itself.
+    /// Conduction on the mesh of a body, with its first layer divided into `sublayers` parts and the next ones halved; with one
+    /// part on the mesh of the body itself.
     pub fn new(body: &RevolvedMesh, capacity: f64, sublayers: u32) -> Result<Self, FactorError> {
         let (mesh, sublayers) = Sublayers::divide(body, sublayers);
         let columns = mesh.sectors.columns();

@@ -62,7 +62,7 @@ pub struct HeatState {
 }
 
 impl HeatState {
-    /// At constant properties, where θ = Θ = H.
+    /// State at constant properties, where θ = Θ = H.
     pub(super) fn linear(rise: Vec<f64>) -> Self {
         Self { potential: rise.clone(), enthalpy: rise.clone(), rise }
     }
@@ -70,7 +70,7 @@ impl HeatState {
 
 /// Solution of a step.
 pub(super) struct Integrated {
-    /// At the ends of both stages.
+    /// States at the ends of both stages.
     pub(super) stages: [HeatState; 2],
     pub(super) balance: HeatBalance,
     /// Into a conducting counterface in both stages.

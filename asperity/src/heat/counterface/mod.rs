@@ -64,12 +64,12 @@ impl Moment {
     /// End of the increments before.
     const NOW: Self = Self { time: 0.0, slip: 0.0 };
 
-    /// At a share of the way from now.
+    /// The moment at a share of the way from now.
     fn at(self, share: f64) -> Self {
         Self { time: share * self.time, slip: share * self.slip }
     }
 
-    /// As seen from `now`.
+    /// This moment as seen from `now`.
     fn since(self, now: Self) -> Self {
         Self { time: self.time - now.time, slip: self.slip - now.slip }
     }
@@ -98,7 +98,7 @@ pub struct HalfSpace {
     pub share: f64,
     /// 2(1 + ν)α/(ρc): height that the surface gains over the heat per area below it.
     expansion: f64,
-    /// None where specific heat and conductivity are constant.
+    /// Properties that depend on temperature; none where specific heat and conductivity are constant.
     varying: Option<ThermalProperties>,
     /// Mean potential over the contact at the end of the increments before.
     potential: f64,
@@ -129,11 +129,11 @@ struct Disc {
 /// Linear response of the half-space in an increment: profile of the rise of its surface over the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct StepResponse {
-    /// At the ends of the two stages, from the heat of the increments before.
+    /// Potential at the ends of the two stages, from the heat of the increments before.
     free: [Profile; 2],
-    /// At the end of the second stage per flux of the first.
+    /// Potential at the end of the second stage per flux of the first.
     first: Matrix3<f64>,
-    /// At the end of each stage per flux of that stage.
+    /// Potential at the end of each stage per flux of that stage.
     pub own: Matrix3<f64>,
     /// a, of the contact.
     radius: f64,

@@ -165,7 +165,7 @@ impl Lens {
         }
     }
 
-    /// With the centre of its disc at `distance` along u.
+    /// This lens with the centre of its disc at `distance` along u.
     fn shifted(self, distance: f64) -> Self {
         let Self { area, u, uu, vv, urr, rrrr } = self;
         let (d, rr) = (distance, uu + vv);

@@ -38,7 +38,7 @@ pub enum InceptionCriterion {
     Stiffness,
     /// The contact slips as a whole: friction falls faster than the contact unloads elastically, −dQ/ds > dQ/ds(0).
     AtOnce,
-    /// None up to the end of the slide.
+    /// No sliding inception up to the end of the slide.
     #[default]
     None,
 }
@@ -106,7 +106,7 @@ pub fn sudden_fall(history: &[SlideState]) -> Option<usize> {
     history.windows(2).find(is_sudden).map(|pair| pair[1].step)
 }
 
-/// Where the stick area fraction falls below [`NO_STICK`], or the secant stiffness over the last
+/// Sliding inception where the stick area fraction falls below [`NO_STICK`], or the secant stiffness over the last
 /// [`STIFFNESS_SPAN`] of the slip falls below this share of the first; both interpolated between states.
 pub fn inception_at(history: &[SlideState], stiffness_share: f64) -> Inception {
     let secant = |from: &SlideState, to: &SlideState| (to.friction - from.friction) / (to.slip - from.slip);
@@ -152,7 +152,7 @@ impl Inception {
         }
     }
 
-    /// With the uncertainties of a contact that sticks again and then has more friction than before.
+    /// This inception with the uncertainties of a contact that sticks again and then has more friction than before.
     fn with_stick_slip(self, history: &[SlideState]) -> Self {
         let Some([first, last]) = stick_slip(history) else { return self };
         let until = history.iter().position(|state| state.slip > last && state.slides());
@@ -176,7 +176,7 @@ impl Inception {
         }
     }
 
-    /// At `slip`, somewhere between the states n − 1 and n.
+    /// Inception at `slip`, somewhere between the states n − 1 and n.
     fn at(history: &[SlideState], slip: f64, n: usize, criterion: InceptionCriterion) -> Self {
         let state = between(history, slip);
         let (low, high) = (history[n.saturating_sub(1)], history[n]);
@@ -202,8 +202,8 @@ impl Inception {
         peak(&history[..=n], slip, found.friction).map_or(found, |peak| found.at_peak(&history[..=n], peak))
     }
 
-    /// With friction and load of the largest friction, state number `peak`; with its slip and G if the contact then slips as a
-    /// whole. What they would grow by until the next state, as before, is the width of their uncertainty.
+    /// This inception with friction and load of the largest friction, state number `peak`; with its slip and G if the contact
+    /// then slips as a whole. What they would grow by until the next state, as before, is the width of their uncertainty.
     fn at_peak(self, history: &[SlideState], peak: usize) -> Self {
         let (before, state, after) = (rising(history, peak), history[peak], history[peak + 1]);
         let share = 0.5 * (after.slip - state.slip) / (state.slip - before.slip);

@@ -56,13 +56,13 @@ struct Coupling<'a> {
     limit: Option<Vec<f64>>,
     /// Smallest change of the shear limits so far, and the updates since.
     smallest: (f64, usize),
-    /// Change at which they are converged.
+    /// Change at which the coupled quantities are converged.
     tolerance: f64,
     /// Updates left of the elevation.
     elevations_left: usize,
     /// Updates left until the coupled quantities are held constant.
     updates_left: usize,
-    /// Whether they are held constant: converged, or no updates left. Newton's method then converges fast.
+    /// Whether the coupled quantities are held constant: converged, or no updates left. Newton's method then converges fast.
     held: bool,
     sources: HeatSources,
     heated: Option<(Vec<f64>, HeatBalance)>,

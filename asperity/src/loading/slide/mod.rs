@@ -89,7 +89,7 @@ struct Advance {
     to: f64,
     /// Over R²/κ; 0 in the isothermal limit.
     dt: f64,
-    /// For the strain rate, s; infinite in the isothermal limit.
+    /// Time for the strain rate, s; infinite in the isothermal limit.
     seconds: f64,
     /// Rate at which the contact slips at its end, m/s.
     slip_rate: f64,
@@ -107,7 +107,7 @@ enum Attempt {
 pub struct Slide<'a> {
     problem: &'a Problem,
     pub mechanics: Mechanics,
-    /// None without heat.
+    /// Conduction; none without heat.
     pub heat: Option<Conduction>,
     /// The present one.
     motion: Motion,

@@ -6,10 +6,10 @@ use crate::scene::LoadingStep;
 /// A step of the programme of a slide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Motion {
-    /// At V in m/s, `speed` = VR/κ, by `distance` (in R); `speed` and V are negative backwards, and 0 in the isothermal
+    /// Slip at V in m/s, `speed` = VR/κ, by `distance` (in R); `speed` and V are negative backwards, and 0 in the isothermal
     /// limit.
     Slip { slip_rate: f64, speed: f64, distance: f64 },
-    /// For a time, over R²/κ.
+    /// Hold for a time, over R²/κ.
     Hold { time: f64 },
 }
 

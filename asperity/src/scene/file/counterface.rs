@@ -15,7 +15,7 @@ const CONDUCTING: [&str; 3] = ["thermal_conductivity", "density", "specific_heat
 /// Constants that may vary with temperature; others of a preset are those at the initial one.
 const MAY_VARY: [&str; 2] = ["thermal_conductivity", "specific_heat"];
 const EXPANSION: &str = "thermal_expansion";
-/// What a counterface has only if it conducts.
+/// Keys that a counterface has only if it conducts.
 const IF_IT_CONDUCTS: [&str; 2] = [EXPANSION, "contact_conductance"];
 
 /// Removes the key `preset` of a section.

@@ -24,7 +24,7 @@ pub const SLIP_RATES: [f64; 9] = [0.0, 0.03, 0.12, 0.3, 0.7, 1.6, 3.0, 5.5, 10.0
 /// Smallest ω₀/ω_c of the grid.
 pub const SMALLEST_INTERFERENCE: f64 = INTERFERENCES[0];
 
-/// From 0.1 ω_c to the largest interference that the hemisphere has room for, in all of the `scenes`.
+/// Interferences of a grid from 0.1 ω_c to the largest interference that the hemisphere has room for, in all of the `scenes`.
 pub fn interferences(scenes: &[Scene]) -> Vec<f64> {
     let largest = scenes.iter().map(largest_interference).fold(f64::INFINITY, f64::min);
     let mut grid: Vec<f64> =

@@ -11,7 +11,7 @@ use crate::scene::ELEMENTS_PER_RADIUS;
 /// What a number may be.
 #[derive(Clone, Copy)]
 pub struct Range {
-    /// As in "must be …", without the unit.
+    /// Text as in "must be …", without the unit.
     text: &'static str,
     accepts: fn(f64) -> bool,
 }
@@ -32,7 +32,7 @@ const POISSON: Range = range("a number from 0 to less than 0.5", |x| (0.0..0.5).
 const HARDENING_EXPONENT: Range = range("a number from 0.02 to 10", |x| (0.02..=10.0).contains(&x));
 const ACCURACY: Range = range("a number from 1e-6 to 0.5", |x| (1e-6..=0.5).contains(&x));
 
-/// From far below an atom to far above a planet: lengths, areas and energies are numbers of normal precision.
+/// Range from far below an atom to far above a planet: lengths, areas and energies are numbers of normal precision.
 const RADIUS: Range = range("a positive number from 1e-15 to 1e15", |x| (1e-15..=1e15).contains(&x));
 /// Up to far above the speed of sound in any solid.
 const FASTEST: f64 = 1e6;
@@ -49,7 +49,7 @@ impl Range {
         (self.accepts)(value)
     }
 
-    /// With the unit, unless it is a pure number.
+    /// Text with the unit, unless it is a pure number.
     pub fn with_unit(&self, unit: &str) -> String {
         match unit {
             "1" => self.text.to_owned(),
@@ -234,7 +234,7 @@ pub const fn range_keys(unit: &'static str, range: Range) -> [Key; 4] {
 }
 
 impl Kind {
-    /// As in "must be …"; the names of a choice are listed by the type of the key.
+    /// Text as in "must be …"; the names of a choice are listed by the type of the key.
     pub fn allowed(&self) -> String {
         match self {
             Number(unit, range) => range.with_unit(unit),

@@ -10,7 +10,7 @@ use super::error::SceneFileError;
 /// A file with the overrides laid over it.
 #[derive(Debug, Default)]
 pub struct Source {
-    /// As named in messages.
+    /// Name of the file in messages.
     pub file: String,
     pub text: String,
     /// Path and text of every `--set`.

@@ -30,7 +30,7 @@ pub struct Constant {
     /// Key below `[material]`, as in `hardening.modulus`.
     #[serde(skip)]
     pub key: String,
-    /// In `unit`.
+    /// Value in `unit`.
     pub value: ConstantValue,
     /// SI unit; "1" for a pure number.
     pub unit: String,
@@ -41,7 +41,7 @@ pub struct Constant {
 /// A material with published constants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Preset {
-    /// As written in `material.preset`.
+    /// Name as written in `material.preset`.
     pub name: &'static str,
     /// Designation and condition.
     pub title: String,

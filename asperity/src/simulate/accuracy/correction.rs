@@ -60,7 +60,7 @@ pub fn is_corrected(quantity: Quantity, inception: InceptionCriterion, law: &Fri
     !mean_errors(quantity, inception, law).is_empty()
 }
 
-/// What corrects the values of a run, its scalars as its histories.
+/// Factors that correct the values of a run, its scalars as its histories.
 #[derive(Clone, Copy, Debug)]
 pub struct Correction<'a> {
     pub inception: InceptionCriterion,
@@ -91,7 +91,7 @@ impl Correction<'_> {
         }
     }
 
-    /// What a value of the run lacks, relative to it: in the mesh by the order of convergence, on meshes coarser than
+    /// Part that a value of the run lacks, relative to it: in the mesh by the order of convergence, on meshes coarser than
     /// [`ELEMENTS`] as on these; in the angles of second order.
     fn lacks(&self, MeanError { mesh, angles }: &MeanError) -> f64 {
         let at = |values: &AtEach| interpolate(&INTERFERENCES.map(f64::ln), values, self.interference.ln()).0;

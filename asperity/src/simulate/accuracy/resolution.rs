@@ -66,7 +66,7 @@ pub struct Resolution {
 }
 
 impl Resolution {
-    /// What the scene gives, and for the rest a first choice by the accuracy.
+    /// Resolution that the scene gives, and for the rest a first choice by the accuracy.
     pub fn choose(numerics: &Numerics) -> Self {
         let accuracy = numerics.accuracy;
         let from_accuracy = (10.0 * (0.02 / accuracy).powf(0.6)).round() as usize;
@@ -181,7 +181,7 @@ impl Resolution {
         ]
     }
 
-    /// With more sectors and shorter increments where those alone would make too large a part
+    /// This resolution with more sectors and shorter increments where those alone would make too large a part
     /// (relative) of the error.
     pub fn refine_other_than_mesh(&self, numerics: &Numerics, parts: &RelativeParts) -> Self {
         const SHARE: f64 = 0.6;
@@ -191,7 +191,7 @@ impl Resolution {
         self.refine_above(SHARE * numerics.accuracy, numerics, parts)
     }
 
-    /// With more sectors and shorter increments where the part of either (relative) is above `most`.
+    /// This resolution with more sectors and shorter increments where the part of either (relative) is above `most`.
     fn refine_above(&self, most: f64, numerics: &Numerics, parts: &RelativeParts) -> Self {
         let mut finer = *self;
         if parts.sectors > most && numerics.sectors.is_none() && self.sectors < MOST_SECTORS {

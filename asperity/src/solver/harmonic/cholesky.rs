@@ -33,7 +33,7 @@ pub struct FactorPattern {
 }
 
 impl FactorPattern {
-    /// From the columns of L, diagonal first and rows in ascending order, and the columns of the upper triangle of a
+    /// Pattern from the columns of L, diagonal first and rows in ascending order, and the columns of the upper triangle of a
     /// matrix.
     pub fn new(column_start: &[usize], row: &[usize], upper_start: &[usize], upper_row: &[usize]) -> Self {
         let n = column_start.len() - 1;

@@ -131,7 +131,7 @@ impl HarmonicFactors {
         self.unknowns - self.interior
     }
 
-    /// Where the contact unknowns begin in the modal vector: index (ring, component, harmonic).
+    /// Offset of the contact unknowns in the modal vector: index (ring, component, harmonic).
     pub fn contact_offset(&self) -> usize {
         self.interior * self.harmonics()
     }

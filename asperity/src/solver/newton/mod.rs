@@ -39,7 +39,7 @@ const FORCING: f64 = 3e-3;
 const COUPLED_FORCING: f64 = 0.05;
 const LARGEST_FORCING: f64 = 0.1;
 
-/// What lets a light contact slide.
+/// Remedy that lets a light contact slide.
 pub const WEAKER_INTERFACE: &str = "the law \"coulomb\", a smaller strength_factor or, with the law \"briscoe-tabor\", a smaller film_strength";
 
 /// Why a step was not solved.
@@ -308,7 +308,7 @@ pub struct CouplingData {
     pub rise: Option<Vec<f64>>,
     /// Elevation of the flat, if it changes.
     pub elevation: Option<Vec<[f64; 2]>>,
-    /// Whether they agree with the state that they depend on.
+    /// Whether these data agree with the state that they depend on.
     pub converged: bool,
 }
 

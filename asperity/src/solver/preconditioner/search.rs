@@ -12,7 +12,7 @@ use crate::solver::timings::{Kernel, Timings};
 
 /// Directions of search for forces on some nodes.
 pub struct Search {
-    /// Where forces work.
+    /// Nodes with forces.
     nodes: Vec<usize>,
     /// Positions outside the dense system that forward sweeps reach, and the remaining ones.
     within: Vec<u32>,
@@ -26,7 +26,7 @@ pub struct Search {
 }
 
 impl Search {
-    /// With forces on `nodes` alone; the contact stiffness is that of the preconditioner.
+    /// Search with forces on `nodes` alone; the contact stiffness is that of the preconditioner.
     pub fn new(preconditioner: &Preconditioner, nodes: Vec<usize>) -> Self {
         let Preconditioner { single, positions, .. } = preconditioner;
         let mut marked = vec![false; single.positions_before(0).len()];

@@ -42,7 +42,7 @@ pub struct Run {
     pub scalars: Scalars,
 }
 
-/// Where a quantity converges to.
+/// Limit that a quantity converges to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
     pub value: f64,
@@ -60,7 +60,7 @@ pub struct Convergence {
     /// Initial, K: errors of temperatures are relative to their rise.
     pub temperature: f64,
     pub runs: Vec<Run>,
-    /// In the order of [`SHOWN`].
+    /// Limits in the order of [`SHOWN`].
     pub limits: Vec<Limit>,
 }
 

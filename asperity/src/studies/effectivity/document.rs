@@ -13,7 +13,7 @@ scenes of metals with published constants have their rate law, a fifth hold the 
 load and slip at inception above 1 ω_c and for the corrections of load and area, the 33 scenes above 10 ω_c for those of `G`,\n\
 `inception_slip` and `mu_static`.";
 
-/// What was found, over quantities and over scenes.
+/// The results of the study over quantities and over scenes, as Markdown.
 pub fn markdown(report: &Report) -> String {
     let mut text = format!(
         "# Effectivity of the error estimates\n\n\

@@ -41,7 +41,7 @@ pub struct Reported {
     pub values: Vec<f64>,
     /// Stated errors.
     pub errors: Vec<f64>,
-    /// By source, in the order of [`ErrorSource::ALL`].
+    /// Errors by source, in the order of [`ErrorSource::ALL`].
     pub parts: Vec<[f64; 5]>,
 }
 

@@ -16,9 +16,9 @@ pub const NEGLIGIBLE: f64 = 5e-4;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judged {
     pub quantity: Quantity,
-    /// As reported, SI.
+    /// Reported value, SI.
     pub value: f64,
-    /// What errors are relative to: the value, or the rise of temperature.
+    /// Scale that errors are relative to: the value, or the rise of temperature.
     pub scale: f64,
     pub reference: f64,
     /// The reported error.

@@ -57,7 +57,7 @@ pub struct StudyScene {
     /// A slide by 20 contact radii against a body of the same metal that conducts heat; otherwise by two against an
     /// isothermal flat.
     pub as_in_tables: bool,
-    /// With the rate law of the preset.
+    /// Whether the scene has the rate law of the preset.
     pub rate_law: bool,
 }
 
@@ -113,7 +113,7 @@ fn largest_of_table(preset: &str) -> f64 {
     request.interferences.into_iter().fold(SMALLEST, f64::max)
 }
 
-/// From the smallest one over a `range`, to two digits.
+/// Interference of a position, from the smallest one over a `range`, to two digits.
 fn interference(position: usize, range: f64) -> f64 {
     let fraction = (GOLDEN_RATIO * (position + 1) as f64).fract();
     let interference = SMALLEST * range.powf(fraction);

@@ -74,7 +74,7 @@ impl Verdict {
 /// A case that was run.
 #[derive(Clone, Debug)]
 pub struct CaseResult {
-    /// What was run.
+    /// Scene that was run.
     pub scene: Scene,
     pub verdict: Verdict,
     /// The whole run, or the part of it before the failure, if there is any.

@@ -19,7 +19,7 @@ use crate::simulate::{PressedContact, SimulationError, Watch, press};
 const HERTZ: &str = "Hertz 1882; Johnson 1985, sec. 4.2";
 const YIELD: &str = "maximum of the von Mises stress on the axis, Johnson 1985, eq. 3.45";
 const INTERIOR: &str = "Huber 1904, doi 10.1002/andp.19043190612, at the same points";
-/// What half space and sphere differ by: a/R.
+/// Difference between half-space and sphere: a/R.
 const HALF_SPACE: f64 = 0.0003;
 
 pub const CASES: [Case; 4] = [

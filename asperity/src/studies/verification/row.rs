@@ -5,7 +5,7 @@ use tables::law::Estimate;
 /// A published or derived value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
-    /// In the unit of the row.
+    /// Value in the unit of the row.
     pub value: f64,
     /// Absolute: uncertainty of the value, and what model and reference differ by by construction.
     pub uncertainty: f64,
@@ -41,7 +41,7 @@ impl Tolerance {
         Self { bound, relative: true, reason }
     }
 
-    /// In the unit of the row.
+    /// Absolute tolerance in the unit of the row.
     pub const fn absolute(bound: f64, reason: &'static str) -> Self {
         Self { bound, relative: false, reason }
     }

@@ -41,7 +41,7 @@ struct Point {
 }
 
 impl Point {
-    /// From first yield, at the reference strain rate.
+    /// A material point at first yield, at the reference strain rate.
     fn yielding() -> Self {
         Self { solid: Solid::new(&rated_material(), 298.0), stress: 1.0, strain: 0.0 }
     }

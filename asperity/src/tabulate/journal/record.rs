@@ -36,7 +36,7 @@ impl Record {
         Self { header, point, result: result.as_ref().map(recorded).map_err(Clone::clone) }
     }
 
-    /// None for a line that is not complete, or of another request.
+    /// Result of the line; none for a line that is not complete, or of another request.
     pub fn into_result(self, header: u32) -> Option<(Point, CellResult)> {
         if self.header != header {
             return None;

@@ -58,7 +58,7 @@ const QUANTITIES: usize = Quantity::SCALARS.len();
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ErrorBudget {
     parts: [[f64; QUANTITIES]; 5],
-    /// By the width of the inception bracket, by the threshold of the stiffness, of inception in deep contacts, and of the
+    /// Errors by the width of the inception bracket, by the threshold of the stiffness, of inception in deep contacts, and of the
     /// steady value by the length of the slide: with the increments.
     brackets: [f64; QUANTITIES],
 }
@@ -78,7 +78,7 @@ pub const CONTROLLED: [Quantity; 6] = [
 pub struct AuxiliaryValues<'a> {
     pub coarse: &'a Values,
     pub other_sectors: &'a Values,
-    /// In longer increments, solved less exactly.
+    /// Values in longer increments, solved less exactly.
     pub longer_steps: &'a Values,
     /// Solved less exactly alone, where that matters.
     pub looser_solver: Option<&'a Values>,
@@ -142,7 +142,8 @@ impl ErrorBudget {
         });
     }
 
-    /// By the bracket of inception of a run, and the relative uncertainty `deep` of `G` and the slip at inception.
+    /// Sets the errors by the bracket of inception of a run, and the relative uncertainty `deep` of `G` and the slip at
+    /// inception.
     fn set_brackets(&mut self, values: &Values, deep: f64) {
         self.brackets = Quantity::SCALARS.map(|quantity| {
             let is_of_inception = [Quantity::EnergyRelease, Quantity::InceptionSlip].contains(&quantity);
@@ -151,7 +152,7 @@ impl ErrorBudget {
         });
     }
 
-    /// After a refinement: second order in θ at least, and first in the elements; first in the increments.
+    /// Expected budget after a refinement: second order in θ at least, and first in the elements; first in the increments.
     fn refined(mut self, from: &Resolution, to: &Resolution) -> Self {
         let sectors = (from.sectors as f64 / to.sectors as f64).powi(2) * elements_ratio(from, to);
         let steps = to.increment_growth / from.increment_growth;
@@ -169,7 +170,7 @@ impl ErrorBudget {
         }
     }
 
-    /// The model's part.
+    /// Sets the part of the modelling error.
     fn set_model(&mut self, modelling_error: &ModellingError, values: &Values) {
         self.parts[ErrorSource::Model as usize] = Quantity::SCALARS
             .map(|quantity| OF_BOUND * modelling_error.share(quantity) * values.magnitude(quantity));
@@ -188,7 +189,7 @@ impl ErrorBudget {
         COVERAGE_FACTOR * self.parts[source as usize][quantity as usize].hypot(bracket)
     }
 
-    /// What no finer resolution reduces, of the reported error.
+    /// Part of the reported error that no finer resolution reduces.
     pub fn lasting(&self, quantity: Quantity) -> f64 {
         let model = self.parts[ErrorSource::Model as usize][quantity as usize];
         COVERAGE_FACTOR * model.hypot(self.brackets[quantity as usize])
