@@ -30,6 +30,7 @@ impl Contact {
         let inner = at(last - 1);
         let pressure = self.trial[inner].pressure;
         let slips = self.trial[inner].status == Status::Slip;
+        // c_ν τ_r.
         let inclination = if slips { self.shear_slope * self.trial[inner].traction[0] } else { 0.0 };
         let opens = rise > 0.0;
         Some(EdgeRatios {
@@ -68,7 +69,7 @@ impl Contact {
         }
     }
 
-    /// Area of a point inside the edge, in the given state; none where the surface has lifted off within the contact.
+    /// χ_i A_i: area of a point inside the edge, in the given state; none where the surface has lifted off within the contact.
     pub fn covered_area(&self, state: &[PointState], point: usize) -> f64 {
         let fraction = self.contact_fraction[point];
         let in_contact = state[point].status != Status::Open || fraction < 1.0;

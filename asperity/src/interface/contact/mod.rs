@@ -19,12 +19,12 @@ mod forces;
 mod resultants;
 mod state;
 
-/// Stiffness of the penalty springs in units of E*/(ring spacing): normal, and tangential in the press.
+/// Stiffness of the penalty springs in units of E*/(ring spacing): normal, c_n, and tangential in the press, c_t.
 const NORMAL_SPRING: f64 = 50.0;
 const PRESS_SPRING: f64 = 50.0;
-/// Tangential spring of the slide. Near slipping points a stiffer one costs iterations; a softer one saves none.
+/// c_t of the slide. Near slipping points a stiffer one costs iterations; a softer one saves none.
 const SLIDE_SPRING: f64 = 10.0;
-/// Tangential spring in the step in which a point touches: it touches somewhere in the step, moves freely until then
+/// c_t in the step in which a point touches: it touches somewhere in the step, moves freely until then
 /// and is held from then on. With a spring about as stiff as the body the point moves half-way, so that the load of a
 /// full-stick press hardly depends on the increments: at ν = 0 and n_c = 16 it is 1.0542 times that without friction
 /// with 32 increments and 1.0535 with 300, where the limit is 1.0529.
@@ -47,7 +47,7 @@ pub struct Contact {
     pub angles: Vec<f64>,
     /// Nodes of the meridian, ring by ring.
     nodes: Vec<u32>,
-    /// ∫N dA of each node on the flat, in the trial state.
+    /// A_i = ∫N dA of each node on the flat, in the trial state.
     pub areas: Vec<f64>,
     /// ∫N dA of each node on the flat, in the committed state.
     committed_areas: Vec<f64>,
@@ -59,16 +59,16 @@ pub struct Contact {
     touching_share: f64,
     pub committed: Vec<PointState>,
     pub trial: Vec<PointState>,
-    /// Part of each node's area inside the contact edge.
+    /// χ: part of each node's area inside the contact edge.
     pub contact_fraction: Vec<f64>,
     /// Points that are in contact since the start of the present motion.
     since_start: Vec<bool>,
     pub stiffness: Vec<NodeStiffness>,
-    /// Slope of the surface by its shear traction, see [`shear_slope`]; 0 in the press.
+    /// c_ν, see [`shear_slope`]; 0 in the press.
     shear_slope: f64,
 }
 
-/// Slope of the surface of a half-space over the shear traction along it, (1 − 2ν)/((1 − ν)E*) (K. L. Johnson, *Contact
+/// c_ν = (1 − 2ν)/((1 − ν)E*): slope of the surface of a half-space over the shear traction along it (K. L. Johnson, *Contact
 /// Mechanics*, 1985, eq. 2.25b): it closes the gap where the traction points into the contact.
 fn shear_slope(modulus: f64, poisson_ratio: f64) -> f64 {
     (1.0 - 2.0 * poisson_ratio) / ((1.0 - poisson_ratio) * modulus)
@@ -197,7 +197,8 @@ impl Contact {
         }
     }
 
-    /// Shear traction of a point in contact: stick below the limit τ_c, else τ = τ_c t/|t|, t the traction of stick.
+    /// Shear traction of a point in contact: stick below the limit τ_c, else τ = τ_c τᵗ/|τᵗ| with the trial traction τᵗ of
+    /// stick.
     #[inline(always)]
     fn evaluate_shear(&mut self, i: usize, limit: f64) {
         let tangential = self.tangential_spring[i / self.columns];
@@ -216,19 +217,19 @@ impl Contact {
                 (std::array::from_fn(without_force), soft, soft)
             }
         };
-        let stick: [f64; 2] = std::array::from_fn(|c| share * tangential * (relative[c] - start[c]));
-        let size = stick[0].hypot(stick[1]);
+        let trial_traction: [f64; 2] = std::array::from_fn(|c| share * tangential * (relative[c] - start[c]));
+        let size = trial_traction[0].hypot(trial_traction[1]);
         state.limit = limit;
         if size <= limit && limit > 0.0 {
             state.status = Status::Stick;
-            state.traction = stick;
+            state.traction = trial_traction;
             state.slip = before.slip;
             for c in 0..2 {
                 self.stiffness[i][c][c] = area * share * tangential;
             }
         } else {
             state.status = Status::Slip;
-            let direction = if size > 0.0 { [stick[0] / size, stick[1] / size] } else { [1.0, 0.0] };
+            let direction = if size > 0.0 { trial_traction.map(|t| t / size) } else { [1.0, 0.0] };
             let reduction = if size > 0.0 { limit / size } else { 0.0 };
             state.traction = direction.map(|d| limit * d);
             state.slip = before.slip + (size - limit) / (yielding * tangential);

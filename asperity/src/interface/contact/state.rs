@@ -16,15 +16,15 @@ pub struct PointState {
     pub status: Status,
     /// Pressure p.
     pub pressure: f64,
-    /// Gap, positive when open.
+    /// Gap g, positive when open.
     pub gap: f64,
-    /// Shear traction of the flat on the asperity.
+    /// Shear traction τ of the flat on the asperity.
     pub traction: [f64; 2],
-    /// Limit of the shear traction.
+    /// Limit of the shear traction per area of the point, see `interface::friction_law`.
     pub limit: f64,
-    /// Displacement of the flat relative to the surface.
+    /// Displacement Δ of the flat relative to the surface.
     pub relative: [f64; 2],
-    /// Relative displacement at which the tangential spring of a point has no force.
+    /// Irreversible part Δᵖ of the relative displacement, at which the tangential spring of a point has no force.
     pub anchor: [f64; 2],
     /// Path length of slip.
     pub slip: f64,
