@@ -54,8 +54,8 @@ def transition():
     for line in example("elastic_to_plastic").splitlines():
         numbers = re.findall(r"\d+\.\d+", line)
         if len(numbers) == 6:
-            omega, friction, doubt, limit, load, area = numbers
-            rows.append([plain(float(omega)), f"{friction} ± {doubt}", limit, load, area])
+            omega, friction, error, limit, load, area = numbers
+            rows.append([plain(float(omega)), f"{friction} ± {error}", limit, load, area])
     head = [
         r"$\omega_0/\omega_c$",
         r"$\mu_s$",

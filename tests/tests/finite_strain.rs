@@ -38,17 +38,17 @@ fn auto_takes_finite_strain_where_strains_are_large() {
     scene.loading.slip_distance = 0.03;
     let small = run_with(&scene, Kinematics::Small);
     assert!(last(&small)[Quantity::PlasticStrainMax] > 0.2, "{:?}", last(&small));
-    let in_doubt = |outcome: &Outcome| {
+    let warns_of_large_strain = |outcome: &Outcome| {
         outcome.account.warnings.iter().any(|warning| matches!(warning, Warning::LargeStrain { .. }))
     };
-    assert!(in_doubt(&small));
+    assert!(warns_of_large_strain(&small));
     let auto = run_with(&scene, Kinematics::Auto);
     assert!(
         says(&auto, "finite strain: the interface is at least as strong as the body"),
         "{:?}",
         auto.account.notes
     );
-    assert!(!in_doubt(&auto));
+    assert!(!warns_of_large_strain(&auto));
     let finite = run_with(&scene, Kinematics::Finite);
     assert_eq!(auto.slide, finite.slide);
     assert!(auto.account.finite_strain);

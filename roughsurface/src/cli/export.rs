@@ -41,10 +41,10 @@ pub fn run(options: &Export, display: &Display) -> Result<(), Failure> {
     check_results(&roles, &[("--output", Some(&options.output))])?;
     let table = FrictionTable::read(&inputs).map_err(Failure::input)?;
     if options.law {
-        let doubtful = table.doubts().map(|(pressure, doubt)| {
-            format!("the rate law at {} Pa is not reliable: {doubt}", plain(pressure))
+        let unreliable = table.limitations().map(|(pressure, limitation)| {
+            format!("the rate law at {} Pa is not reliable: {limitation}", plain(pressure))
         });
-        display.printer().warn(doubtful);
+        display.printer().warn(unreliable);
     }
     let table = if options.law { table.of_laws().map_err(Failure::input)? } else { table };
     write_whole(&options.output, format.text(&table).as_bytes())

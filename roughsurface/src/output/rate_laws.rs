@@ -1,6 +1,6 @@
 //! Laws of rate dependence, in `friction.nc`, in JSON and as rows of a table.
 
-use crate::friction::rate_law::{Doubt, FORMS, NoFit, RateLaw, RateLaws};
+use crate::friction::rate_law::{FORMS, Limitation, NoFit, RateLaw, RateLaws};
 use crate::output::origin::with_error;
 use crate::output::result_tables::{Rows, estimate, head};
 use crate::sampling::case::Results;
@@ -36,7 +36,7 @@ const GOODNESS: [Goodness; 4] = [
     }),
     ("condition", "condition number of the Jacobian with columns of equal length", |law| law.condition),
     ("reliable", "1 where the law explains the data and they determine its parameters, 0 elsewhere", |law| {
-        f64::from(u8::from(law.doubt().is_none()))
+        f64::from(u8::from(law.limitation().is_none()))
     }),
 ];
 
@@ -76,12 +76,12 @@ fn variables(
         file.reals(&name, &[row], &values, &described("1", &long_name))?;
     }
     let reason = |fit: &&Fit| match fit {
-        Ok(law) => law.doubt().map_or(String::new(), |doubt| doubt.to_string()),
+        Ok(law) => law.limitation().map_or(String::new(), |limitation| limitation.to_string()),
         Err(reason) => reason.to_string(),
     };
     let reasons: Vec<String> = fits.iter().map(reason).collect();
     let meaning = format!("why there is no law or it is not reliable, empty elsewhere, {prefix} fit");
-    file.texts(&format!("{prefix}_doubt"), &[row], &reasons, &[("long_name", meaning.as_str().into())])
+    file.texts(&format!("{prefix}_limitation"), &[row], &reasons, &[("long_name", meaning.as_str().into())])
 }
 
 /// The law that is chosen, and every form with its misfit or the reason why it is refused; one entry a row.
@@ -114,9 +114,9 @@ fn fit(row: &str, load: f64, fit: &Fit, parameters: &[Parameter]) -> Value {
     for (name, _, of) in GOODNESS {
         entry[name] = of(law).into();
     }
-    entry["reliable"] = law.doubt().is_none().into();
-    if let Some(doubt) = law.doubt() {
-        entry["doubt"] = doubt.to_string().into();
+    entry["reliable"] = law.limitation().is_none().into();
+    if let Some(limitation) = law.limitation() {
+        entry["limitation"] = limitation.to_string().into();
     }
     entry
 }
@@ -135,21 +135,21 @@ fn shown(parameter: Estimate) -> String {
 }
 
 /// Why laws of the rows are not reliable, each reason once.
-fn doubts(results: &Results) -> Vec<Doubt> {
-    let mut doubts = Vec::new();
+fn limitations(results: &Results) -> Vec<Limitation> {
+    let mut limitations = Vec::new();
     let laws = results.prediction.rate_laws.iter().flat_map(|laws| [&laws.chosen, &laws.flash_heating]);
-    for doubt in laws.flatten().filter_map(RateLaw::doubt) {
-        if !doubts.contains(&doubt) {
-            doubts.push(doubt);
+    for limitation in laws.flatten().filter_map(RateLaw::limitation) {
+        if !limitations.contains(&limitation) {
+            limitations.push(limitation);
         }
     }
-    doubts
+    limitations
 }
 
 /// The reasons that the rows refer to by their number.
 pub(super) fn footnotes(results: &Results) -> impl Iterator<Item = String> {
-    let doubts = doubts(results).into_iter().enumerate();
-    doubts.map(|(number, doubt)| format!("[{}] not reliable: {doubt}", number + 1))
+    let limitations = limitations(results).into_iter().enumerate();
+    limitations.map(|(number, limitation)| format!("[{}] not reliable: {limitation}", number + 1))
 }
 
 /// The law that is chosen at each pressure or separation, and the flash-heating fit; empty with one slip rate.
@@ -158,7 +158,7 @@ pub(super) fn rows(results: &Results) -> Rows {
     if prediction.query.slip_rates.len() < 2 {
         return Rows::new();
     }
-    let doubts = doubts(results);
+    let limitations = limitations(results);
     let mut rows = head(results, ["mu_0", "mu_inf", "V* [m/s]", "n", "misfit [%]", "R2", "law"]);
     for (load, laws) in prediction.query.loading.values().iter().zip(&prediction.rate_laws) {
         for (name, fit) in [("rate law", &laws.chosen), ("flash heating", &laws.flash_heating)] {
@@ -168,7 +168,8 @@ pub(super) fn rows(results: &Results) -> Rows {
                     row.extend([law.mu_0, law.plateau, law.velocity, law.exponent].map(shown));
                     row.push(format!("{:.3}", 100.0 * law.misfit / law.mu_0.value));
                     row.push(format!("{:.4}", law.r_squared));
-                    let number = doubts.iter().position(|&doubt| law.doubt() == Some(doubt));
+                    let number =
+                        limitations.iter().position(|&limitation| law.limitation() == Some(limitation));
                     let footnote = number.map_or(String::new(), |number| format!(" [{}]", number + 1));
                     row.push(law.form.formula.to_string() + &footnote);
                 }

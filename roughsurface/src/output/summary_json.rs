@@ -18,7 +18,7 @@ use tables::law::Estimate;
 pub(super) fn row_key(loading: &NormalLoading) -> &'static str {
     match loading {
         NormalLoading::Pressure(_) => "pressure",
-        NormalLoading::Separation(_) => "separation_at_rest",
+        NormalLoading::Separation(_) => "separation_before_sliding",
     }
 }
 

@@ -259,11 +259,11 @@ fn limits(found: &Characterization, spectrum: &Spectrum) -> Vec<Warning> {
         warnings.push(Warning::Lay { ratio: across / along, angle: found.moments.lay_angle });
     }
     let slope = found.areal_slope.unwrap_or(found.profile_slope);
-    let doubtful_units = found
+    let uncertain_units = found
         .warnings
         .iter()
         .any(|warning| matches!(warning, Warning::Micrometres { .. } | Warning::Long { .. }));
-    if slope > STEEP && !doubtful_units {
+    if slope > STEEP && !uncertain_units {
         warnings.push(Warning::Steep { slope });
     }
     if found.summits.alpha < SMALLEST_ALPHA {
@@ -320,8 +320,9 @@ mod tests {
         }
         let radius = 0.375 * (std::f64::consts::PI / surface.sum(4, cutoff)).sqrt();
         assert!((periodic.summits.radius / radius - 1.0).abs() < 1e-9);
-        let doubt = |warning: &Warning| matches!(warning, Warning::SeemsPeriodic | Warning::Form { .. });
-        assert!(!periodic.warnings.iter().any(doubt), "{:?}", periodic.warnings);
+        let periodic_or_form =
+            |warning: &Warning| matches!(warning, Warning::SeemsPeriodic | Warning::Form { .. });
+        assert!(!periodic.warnings.iter().any(periodic_or_form), "{:?}", periodic.warnings);
         // Read as a map that ends at its edges, the same heights are recognised.
         let ending = found(Topography { periodic: false, ..map });
         assert_eq!(ending.detrend, Detrend::Plane);

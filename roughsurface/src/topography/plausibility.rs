@@ -1,4 +1,4 @@
-//! Doubts about the heights of a topography before anything is computed from them.
+//! Checks of the plausibility of the heights of a topography, before anything is computed from them.
 
 use super::Topography;
 use super::detrend::Detrend;
@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn spikes_form_and_units_are_noticed_where_they_are() {
         let map = SelfAffine::default().quarter(1);
-        for warning in [units, seems_periodic, spikes, form].map(|doubt| doubt(&map)) {
+        for warning in [units, seems_periodic, spikes, form].map(|check| check(&map)) {
             assert_eq!(warning, None);
         }
         let jump = edges_jump(&map, Window::None);

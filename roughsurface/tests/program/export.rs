@@ -97,9 +97,9 @@ fn every_format_has_the_friction_of_the_file() {
         assert!(
             fitted.iter().all(|(exported, known)| *exported == Some(*known).filter(|known| !known.is_nan()))
         );
-        assert!(heating["form"] == "flash-heating" || heating["doubt"].is_string(), "{heating}");
+        assert!(heating["form"] == "flash-heating" || heating["limitation"].is_string(), "{heating}");
         assert_eq!(
-            (law["reliable"] == true, law["doubt"].is_null()),
+            (law["reliable"] == true, law["limitation"].is_null()),
             (reliable[row] == 1.0, reliable[row] == 1.0)
         );
     }
@@ -108,7 +108,10 @@ fn every_format_has_the_friction_of_the_file() {
     folder.run_well(few);
     folder.run_well("export few.nc -o few.json");
     let json: serde_json::Value = serde_json::from_str(&folder.read("few.json")).unwrap();
-    assert!(json["laws"][0]["doubt"].as_str().is_some_and(|doubt| doubt.contains("slip rates")), "{json}");
+    assert!(
+        json["laws"][0]["limitation"].as_str().is_some_and(|limitation| limitation.contains("slip rates")),
+        "{json}"
+    );
     let said = stderr(&folder.run("export few.nc -o few.csv --law"));
     assert!(said.contains("is not reliable: "), "{said}");
 }

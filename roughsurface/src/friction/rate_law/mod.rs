@@ -106,20 +106,20 @@ impl RateLaw {
     }
 
     /// Why law and data do not agree or its parameters are not determined; none of a reliable law.
-    pub fn doubt(&self) -> Option<Doubt> {
+    pub fn limitation(&self) -> Option<Limitation> {
         if self.criterion.is_nan() {
             let parameters = self.form.parameters();
-            Some(Doubt::FewSlipRates { parameters, least: parameters + 3 })
+            Some(Limitation::FewSlipRates { parameters, least: parameters + 3 })
         } else if self.r_squared < 0.99 {
-            Some(Doubt::Misfit)
+            Some(Limitation::Misfit)
         } else if self.velocity.value > self.fastest {
-            Some(Doubt::Extrapolated(self.fastest))
+            Some(Limitation::Extrapolated(self.fastest))
         } else if self.velocity.value < self.second {
-            Some(Doubt::OnsetNotSeen(self.second))
+            Some(Limitation::OnsetNotSeen(self.second))
         } else if self.form.has_plateau && !self.reaches_plateau() {
-            Some(Doubt::PlateauNotSeen)
+            Some(Limitation::PlateauNotSeen)
         } else if self.velocity.error > 0.5 * self.velocity.value {
-            Some(Doubt::Uncertain)
+            Some(Limitation::Uncertain)
         } else {
             None
         }
@@ -128,7 +128,7 @@ impl RateLaw {
 
 /// Why a law is not reliable.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum Doubt {
+pub enum Limitation {
     #[error("a law of {parameters} parameters is judged from {least} slip rates on")]
     FewSlipRates { parameters: usize, least: usize },
     #[error("R2 is below 0.99")]

@@ -33,8 +33,8 @@ fn every_form_comes_back_from_its_own_curve() {
         }
         assert!(found.misfit < 1e-9 && found.r_squared > 1.0 - 1e-9);
         // Of the first one V* is an extrapolation.
-        let doubt = (velocity > 300.0).then_some(Doubt::Extrapolated(rates[16]));
-        assert_eq!(found.doubt(), doubt, "{found:?}");
+        let limitation = (velocity > 300.0).then_some(Limitation::Extrapolated(rates[16]));
+        assert_eq!(found.limitation(), limitation, "{found:?}");
         for rate in [0.1, 10.0] {
             assert!((found.friction_coefficient(rate) - law(rate)).abs() < 1e-8);
         }
@@ -147,15 +147,15 @@ fn flash_heating_comes_back_from_its_curve_and_is_flagged_elsewhere() {
         assert!((fitted.velocity.value - 0.2).abs() < 1e-6);
         // Three parameters pass through any three points.
         assert_eq!(
-            fitted.doubt(),
-            (rates.len() == 3).then_some(Doubt::FewSlipRates { parameters: 3, least: 6 })
+            fitted.limitation(),
+            (rates.len() == 3).then_some(Limitation::FewSlipRates { parameters: 3, least: 6 })
         );
     }
     let beyond = [1.0, 2.0, 4.0, 8.0];
     assert_eq!(choose(&beyond, &exact(&beyond, flash_heating)).flash_heating, Err(NoFit::OnsetOutside));
     let rates = Log.range(0.1, 10.0, 9);
     let laws = choose(&rates, &exact(&rates, |rate| 0.45 / (1.0 + (rate / 80.0f64).sqrt())));
-    assert!(matches!(laws.flash_heating.unwrap().doubt(), Some(Doubt::Misfit)));
+    assert!(matches!(laws.flash_heating.unwrap().limitation(), Some(Limitation::Misfit)));
 }
 
 /// Least sum of squares of the form of rupture codes over a fine scan of V_w, with both friction coefficients from the normal
@@ -209,7 +209,7 @@ fn errors_cover_the_parameters_of_other_ranges_where_the_form_is_another() {
         [(0.01, 10.0, 13), (0.1, 10.0, 9), (0.1, 30.0, 10), (0.3, 30.0, 9), (0.01, 100.0, 17)]
             .map(|(from, to, count)| fitted(from, to, count))
             .into_iter()
-            .filter(|law| law.doubt().is_none())
+            .filter(|law| law.limitation().is_none())
             .collect();
     let ends =
         |law: &RateLaw| [law.velocity.value - law.velocity.error, law.velocity.value + law.velocity.error];
@@ -224,11 +224,11 @@ fn errors_cover_the_parameters_of_other_ranges_where_the_form_is_another() {
 /// V_w/V of the fall is left at V, and of the slope: a half at 2.9 V_w.
 #[test]
 fn a_plateau_of_flash_heating_that_is_not_seen_is_no_reliable_one() {
-    let doubt = |fastest: f64| {
+    let limitation = |fastest: f64| {
         let rates = Log.range(0.005, fastest, 9);
-        choose(&rates, &exact(&rates, flash_heating)).flash_heating.unwrap().doubt()
+        choose(&rates, &exact(&rates, flash_heating)).flash_heating.unwrap().limitation()
     };
-    assert_eq!((doubt(0.2 * 2.5), doubt(0.2 * 3.5)), (Some(Doubt::PlateauNotSeen), None));
+    assert_eq!((limitation(0.2 * 2.5), limitation(0.2 * 3.5)), (Some(Limitation::PlateauNotSeen), None));
 }
 
 /// One slip rate below V_w does not show where weakening begins.
@@ -237,5 +237,5 @@ fn an_onset_between_the_first_two_slip_rates_is_not_resolved() {
     let rates = [0.1, 1.0, 3.0, 10.0, 30.0, 100.0];
     let mu = |v: f64| 0.1 + 0.5 * (1.0 + (v / 0.3).powi(8)).powf(-0.125);
     let law = choose(&rates, &rates.map(|v| Estimate::exact(mu(v)))).flash_heating.unwrap();
-    assert_eq!(law.doubt(), Some(Doubt::OnsetNotSeen(1.0)));
+    assert_eq!(law.limitation(), Some(Limitation::OnsetNotSeen(1.0)));
 }

@@ -58,7 +58,7 @@ pub(super) fn abaqus(table: &FrictionTable) -> String {
         for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
             let kelvin = layer.temperature.map_or(String::new(), |kelvin| format!(", {kelvin} K"));
             let _ = write!(text, "** Rate law at {pressure:e} Pa{kelvin}: ");
-            let (law, doubt) = match law {
+            let (law, limitation) = match law {
                 Ok(fitted) => fitted,
                 Err(reason) => {
                     let _ = writeln!(text, "none; {reason}");
@@ -71,8 +71,8 @@ pub(super) fn abaqus(table: &FrictionTable) -> String {
                 "{}, mu_0 = {:.5}, mu_inf = {:.5}, V* = {:.4e} m/s, n = {:.4}",
                 form.formula, mu_0.value, plateau.value, velocity.value, exponent.value
             );
-            if !doubt.is_empty() {
-                let _ = writeln!(text, "** not reliable: {doubt}");
+            if !limitation.is_empty() {
+                let _ = writeln!(text, "** not reliable: {limitation}");
             }
         }
     }
@@ -147,18 +147,18 @@ pub(super) fn json(table: &FrictionTable) -> String {
 /// A law, with the names of its plateau and of its slip rate.
 fn entry(law: &FittedLaw, plateau: &str, velocity: &str) -> Value {
     let mut entry = json!({"form": law.as_ref().map_or("none", |(law, _)| law.form.name)});
-    let doubt = law.as_ref().map_or_else(|reason| reason, |(_, doubt)| doubt);
-    if !doubt.is_empty() {
-        entry["doubt"] = doubt.as_str().into();
+    let limitation = law.as_ref().map_or_else(|reason| reason, |(_, limitation)| limitation);
+    if !limitation.is_empty() {
+        entry["limitation"] = limitation.as_str().into();
     }
-    if let Ok((law, doubt)) = law {
+    if let Ok((law, limitation)) = law {
         entry["formula"] = law.form.formula.into();
         entry["mu_0"] = json!(law.mu_0.in_unit("1"));
         entry[plateau] = json!(law.plateau.in_unit("1"));
         entry[velocity] = json!(law.velocity.in_unit("m s-1"));
         entry["n"] = json!(law.exponent.in_unit("1"));
         entry["rms"] = law.misfit.into();
-        entry["reliable"] = doubt.is_empty().into();
+        entry["reliable"] = limitation.is_empty().into();
     }
     entry
 }

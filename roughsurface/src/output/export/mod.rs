@@ -99,10 +99,10 @@ impl FrictionTable {
     }
 
     /// Pressures (Pa) whose fitted law is not reliable, with the reason.
-    pub fn doubts(&self) -> impl Iterator<Item = (f64, &str)> {
+    pub fn limitations(&self) -> impl Iterator<Item = (f64, &str)> {
         let laws = self.layers.iter().flat_map(|layer| self.pressures.iter().zip(&layer.laws));
-        let doubts = laws.filter_map(|(pressure, law)| Some((*pressure, law.as_ref().ok()?.1.as_str())));
-        doubts.filter(|(_, doubt)| !doubt.is_empty())
+        let limitations = laws.filter_map(|(pressure, law)| Some((*pressure, law.as_ref().ok()?.1.as_str())));
+        limitations.filter(|(_, limitation)| !limitation.is_empty())
     }
 
     /// Reads one file, or one for each initial temperature.
@@ -223,8 +223,8 @@ fn fitted(
     let (mu_0, plateau, velocity) = (mu_0?, plateau?, velocity?);
     let misfits = file.reals(&format!("{prefix}_rms"), &rows)?;
     let law = |row: usize| -> Result<FittedLaw, DatasetError> {
-        let doubt = format!("{prefix}_doubt");
-        let doubt = if file.has(&doubt) { file.text(&doubt, &[row])? } else { String::new() };
+        let limitation = format!("{prefix}_limitation");
+        let limitation = if file.has(&limitation) { file.text(&limitation, &[row])? } else { String::new() };
         let form = match prefix {
             "rate" => {
                 let name = file.text("rate_law", &[row])?;
@@ -232,7 +232,7 @@ fn fitted(
             }
             _ => Some(&FLASH_HEATING).filter(|_| mu_0[row].value.is_finite()),
         };
-        let Some(form) = form else { return Ok(Err(doubt)) };
+        let Some(form) = form else { return Ok(Err(limitation)) };
         let law = RateLaw {
             form,
             mu_0: mu_0[row],
@@ -246,7 +246,7 @@ fn fitted(
             second: f64::NAN,
             fastest: f64::NAN,
         };
-        Ok(Ok((law, doubt)))
+        Ok(Ok((law, limitation)))
     };
     (0..exponents.len()).map(law).collect()
 }
