@@ -25,7 +25,7 @@ pub fn friction_table(py: Python<'_>, paths: Vec<PathBuf>, law: bool) -> PyResul
 fn refused(error: ExportError) -> PyErr {
     let key = matches!(error, ExportError::Format { .. }).then_some("path");
     let file = match &error {
-        ExportError::Dataset(_) => None,
+        ExportError::Dataset(_) | ExportError::NoFile => None,
         ExportError::Format { path, .. } | ExportError::Content { path, .. } => Some(path.as_str()),
     };
     errors::input(&error, file, key, &error)

@@ -102,6 +102,8 @@ def test_exports_are_those_of_the_program_and_lose_no_error(folder):
     assert (refused.value.file, refused.value.key) == ("friction.nc", "path")
     with pytest.raises(asperity.InputError, match="initial temperature") as refused:
         asperity.export([friction, friction], "friction.mat")
+    with pytest.raises(asperity.InputError, match="no result to export"):
+        asperity.export([], "friction.mat")
 
 
 def test_query_comparison_and_report(folder):

@@ -1,5 +1,6 @@
 //! One battery for every output: files are read again, and every quantity is in them.
 
+use super::export::{ExportError, FrictionTable};
 use super::{Origin, Results, figure, friction_file, report, sample_file, summary, summary_json};
 use crate::friction::quantities::{QUANTITIES, Source};
 use crate::friction::warning::Warning;
@@ -180,4 +181,9 @@ fn a_step_of_the_slip_rate_is_in_every_output() {
     );
     assert!(summary::text(&results).contains("Step of the slip rate"));
     assert!(figure::figure(&results).svg().contains("Step from 0.1 to 1 m/s"));
+}
+
+#[test]
+fn an_export_of_no_file_is_refused() {
+    assert!(matches!(FrictionTable::read(&[]), Err(ExportError::NoFile)));
 }

@@ -57,6 +57,8 @@ pub enum ExportError {
     Format { path: String, known: String },
     #[error("{path}: {what}")]
     Content { path: String, what: String },
+    #[error("no result to export: at least one friction.nc is needed")]
+    NoFile,
 }
 
 /// Friction over initial temperature, pressure and slip rate.
@@ -125,7 +127,7 @@ impl FrictionTable {
             }
             table.layers.append(&mut one.layers);
         }
-        let mut table = whole.expect("there is a file");
+        let Some(mut table) = whole else { return Err(ExportError::NoFile) };
         let kelvin = |layer: &Layer| layer.temperature.unwrap_or(f64::NEG_INFINITY);
         let refused = (0..paths.len()).find(|&i| {
             let before =
