@@ -6,8 +6,8 @@ use super::canvas::{Anchor, CURVE_WIDTH, Color, GAP, Group, Mark, Point, SMALL, 
 use super::field::class;
 use super::{Colors, Curve, Drawn, Field};
 
-/// Length of the sample of a curve.
-const SAMPLE: f64 = 20.0;
+/// Width of a legend key.
+const KEY_WIDTH: f64 = 20.0;
 /// Radius of a marker.
 const MARKER: f64 = 2.1;
 
@@ -38,11 +38,11 @@ pub(super) fn marker(style: usize, (x, y): Point) -> Vec<Point> {
     (0..2 * points).map(corner).collect()
 }
 
-/// Samples with their texts.
-pub(super) struct Legend<'a>(Vec<(Sample, &'a str)>);
+/// Legend keys with their texts.
+pub(super) struct Legend<'a>(Vec<(LegendKey, &'a str)>);
 
 /// What the legend shows before a text.
-enum Sample {
+enum LegendKey {
     Curve(usize, Drawn),
     Class(Color),
 }
@@ -54,41 +54,43 @@ impl<'a> Legend<'a> {
     /// The legend of curves with the numbers of their styles, and of a field of classes.
     pub fn new(curves: impl Iterator<Item = (usize, &'a Curve)>, field: Option<&'a Field>) -> Self {
         let labelled = curves.filter(|(_, curve)| !curve.label.is_empty());
-        let curves = labelled.map(|(style, curve)| (Sample::Curve(style, curve.drawn), curve.label.as_str()));
+        let curves =
+            labelled.map(|(style, curve)| (LegendKey::Curve(style, curve.drawn), curve.label.as_str()));
         let classes = field.iter().flat_map(|field| match &field.colors {
             Colors::Classes(names) => names.as_slice(),
             Colors::Bands { .. } => &[],
         });
-        let classes = classes.enumerate().map(|(n, name)| (Sample::Class(class(n)), name.as_str()));
+        let classes = classes.enumerate().map(|(n, name)| (LegendKey::Class(class(n)), name.as_str()));
         Self(curves.chain(classes).collect())
     }
 
     /// Width and height; none of an empty one.
     pub fn size(&self) -> Option<Point> {
         let widest = self.0.iter().map(|(_, text)| width(text, SMALL)).reduce(f64::max)?;
-        Some((SAMPLE + GAP + widest, LINE * self.0.len() as f64))
+        Some((KEY_WIDTH + GAP + widest, LINE * self.0.len() as f64))
     }
 
     pub fn draw(&self, (left, top): Point, group: &mut Group) {
-        for (n, (sample, text)) in self.0.iter().enumerate() {
+        for (n, (key, text)) in self.0.iter().enumerate() {
             let middle = top + LINE * (n as f64 + 0.5);
-            match *sample {
-                Sample::Curve(style, drawn) => {
+            match *key {
+                LegendKey::Curve(style, drawn) => {
                     let (color, dashes, _) = STYLES[style];
                     if drawn != Drawn::Markers {
-                        let points = vec![(left, middle), (left + SAMPLE, middle)];
+                        let points = vec![(left, middle), (left + KEY_WIDTH, middle)];
                         group.marks.push(Mark::Line { points, color, width: CURVE_WIDTH, dashes });
                     }
                     if drawn != Drawn::Line {
-                        group.fill(marker(style, (left + 0.5 * SAMPLE, middle)), color);
+                        group.fill(marker(style, (left + 0.5 * KEY_WIDTH, middle)), color);
                     }
                 }
-                Sample::Class(color) => {
-                    let (right, above, below) = (left + SAMPLE, middle - 0.35 * LINE, middle + 0.35 * LINE);
+                LegendKey::Class(color) => {
+                    let (right, above, below) =
+                        (left + KEY_WIDTH, middle - 0.35 * LINE, middle + 0.35 * LINE);
                     group.fill(vec![(left, above), (right, above), (right, below), (left, below)], color);
                 }
             }
-            group.text((left + SAMPLE + GAP, middle + 0.36 * SMALL), *text, SMALL, Anchor::Start);
+            group.text((left + KEY_WIDTH + GAP, middle + 0.36 * SMALL), *text, SMALL, Anchor::Start);
         }
     }
 }
