@@ -105,7 +105,7 @@ fn temperature_mean(
 mod tests {
     use super::*;
     use crate::integral::test_laws::{PowerLaw, surface};
-    use crate::surface::heights::{Exponential, Sample};
+    use crate::surface::heights::{Empirical, Exponential};
 
     /// ω/ω_c.
     const LAW_START: f64 = 0.3;
@@ -158,7 +158,7 @@ mod tests {
         let mean = 300.0 + 60.0 * sum(|x| x * x.sqrt()) / sum(|x| x);
         let elastic = sum(|x| if x <= 1.0 { x.powf(1.5) } else { 0.0 }) / sum(|x| x.powf(1.5));
         let highest = interference.iter().copied().fold(0.0, f64::max);
-        let surface = surface(Sample::new(heights).unwrap());
+        let surface = surface(Empirical::new(heights).unwrap());
         let found = contacts(&surface, &law(0.0), Estimate::exact(separation));
         assert!((found.temperature_mean.unwrap().value / mean - 1.0).abs() < 1e-12, "{found:?} {mean}");
         assert!((found.temperature_max.unwrap().value / (300.0 + 100.0 * highest.sqrt()) - 1.0).abs() < 1e-9);

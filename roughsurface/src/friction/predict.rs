@@ -6,7 +6,7 @@ use crate::friction::regime::plasticity_index;
 use crate::friction::result::{Friction, Prediction};
 use crate::friction::settings::{PredictionError, Settings, in_order};
 use crate::friction::slip_curve::{SlipState, resampled, slip_grid};
-use crate::friction::sweep::{Pressed, Slide, SlidingRow, Sweep, loaded_radii};
+use crate::friction::sweep::{PressedSurface, SlidingRow, SurfaceSlide, Sweep, loaded_radii};
 use crate::friction::warning::Warning;
 use crate::surface::query::{ContactLife, Query, Surface};
 use std::collections::BTreeMap;
@@ -33,7 +33,7 @@ pub fn predict(
     let cells: Vec<Cell> = (0..rows).flat_map(|row| (0..rates).map(move |rate| (row, rate))).collect();
     let place = |(row, rate): Cell| row * rates + rate;
     let pressed = in_order(&cells, |&(row, rate)| sweep.press(row, rate))?;
-    let grid = |row: &[Pressed]| slip_grid(loaded_radii(row), settings.slip_points);
+    let grid = |row: &[PressedSurface]| slip_grid(loaded_radii(row), settings.slip_points);
     let (slip, slips) = (grid(&pressed), pressed.chunks(rates).map(grid).collect::<Vec<_>>());
     let curves = slide_all(&sweep, &pressed, &slips, progress)?;
     let contacts = in_order(&cells, |&(row, rate)| {
@@ -43,7 +43,7 @@ pub fn predict(
     })?;
     let of_all_ages =
         |life: ContactLife| in_order(&cells, |&cell| sweep.slide_steadily(cell, life, &pressed[place(cell)]));
-    let at_first_rate: Vec<&Pressed> = pressed.iter().step_by(rates).collect();
+    let at_first_rate: Vec<&PressedSurface> = pressed.iter().step_by(rates).collect();
     let rate_step = sweep.rate_step(&at_first_rate)?;
     let (sliding, lasting) = (of_all_ages(query.contact_life)?, of_all_ages(ContactLife::Steady)?);
 
@@ -51,7 +51,7 @@ pub fn predict(
     let mut evaluated = |cell: Cell, curve: Vec<SlipState>| {
         let (place, slips) = (place(cell), &slips[cell.0]);
         let (contacts, sliding, lasting) = (contacts[place], sliding[place], lasting[place]);
-        let slide = Slide { curve, contacts, sliding, lasting };
+        let slide = SurfaceSlide { curve, contacts, sliding, lasting };
         let mut friction = sweep.evaluate(cell, &pressed[place], slips, slide, &mut warnings);
         friction.mu_history = resampled(slips, &friction.mu_history, &slip);
         friction
@@ -81,7 +81,7 @@ pub fn predict(
 /// Sets the derivatives by the slip rate of all cells, and fits the rate laws of the rows.
 fn depend_on_rate(
     sweep: &Sweep,
-    at_first_rate: &[&Pressed],
+    at_first_rate: &[&PressedSurface],
     friction: &mut [Vec<Friction>],
     slip_rates: &[f64],
 ) -> Result<Vec<RateLaws>, PredictionError> {
@@ -103,7 +103,7 @@ fn depend_on_rate(
 /// `pressed`, at slips that are its own whatever other rows there are.
 fn slide_all(
     sweep: &Sweep,
-    pressed: &[Pressed],
+    pressed: &[PressedSurface],
     slips: &[Vec<f64>],
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Vec<SlipState>>, PredictionError> {

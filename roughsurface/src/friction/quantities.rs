@@ -4,10 +4,10 @@ use crate::friction::result::Friction;
 use crate::friction::slip_curve::SlipState;
 use tables::law::Estimate;
 
-use Source::{Share, Slide, Sliding, WhereKnown};
+use Source::{Share, SteadySliding, WhereKnown, WholeSlide};
 
-/// A result over (pressure or separation, slip rate).
-pub struct Quantity {
+/// A result of a rough surface over (pressure or separation, slip rate).
+pub struct SurfaceQuantity {
     /// Name in files.
     pub name: &'static str,
     /// Unit as CF conventions write it.
@@ -23,9 +23,9 @@ pub struct Quantity {
 /// Where a result is found.
 pub enum Source {
     /// In the state while sliding.
-    Sliding(fn(&SlipState) -> Estimate),
+    SteadySliding(fn(&SlipState) -> Estimate),
     /// In the results of the whole slide.
-    Slide(fn(&Friction) -> Estimate),
+    WholeSlide(fn(&Friction) -> Estimate),
     /// In the results of the whole slide, where the law states it.
     WhereKnown(fn(&Friction) -> Option<Estimate>),
     /// A share, without an error.
@@ -33,88 +33,88 @@ pub enum Source {
 }
 
 /// Every result. To add one: a line here.
-pub static QUANTITIES: [Quantity; 30] = [
-    Quantity::new("mu", "1", "sliding friction coefficient, mean over the life of the contacts",
-        Sliding(|s| s.mu)).propagated(),
-    Quantity::new("mu_steady", "1", "sliding friction coefficient of contacts that last",
-        Slide(|f| f.mu_steady)),
-    Quantity::new("mu_static", "1",
+pub static QUANTITIES: [SurfaceQuantity; 30] = [
+    SurfaceQuantity::new("mu", "1", "sliding friction coefficient, mean over the life of the contacts",
+        SteadySliding(|s| s.mu)).propagated(),
+    SurfaceQuantity::new("mu_steady", "1", "sliding friction coefficient of contacts that last",
+        WholeSlide(|f| f.mu_steady)),
+    SurfaceQuantity::new("mu_static", "1",
         "friction coefficient where the friction-slip curve of the surface starts to slide",
-        Slide(|f| f.mu_static)).propagated(),
-    Quantity::new("inception_slip", "m", "slip at which static friction is reached",
-        Slide(|f| f.inception_slip)),
-    Quantity::new("Q", "Pa", "friction stress on the nominal area while sliding",
-        Sliding(|s| s.shear)).propagated(),
-    Quantity::new("G", "J m-2",
+        WholeSlide(|f| f.mu_static)).propagated(),
+    SurfaceQuantity::new("inception_slip", "m", "slip at which static friction is reached",
+        WholeSlide(|f| f.inception_slip)),
+    SurfaceQuantity::new("Q", "Pa", "friction stress on the nominal area while sliding",
+        SteadySliding(|s| s.shear)).propagated(),
+    SurfaceQuantity::new("G", "J m-2",
         "energy that the asperities release from full stick to full slip per nominal area",
         WhereKnown(|f| f.energy_release)).propagated(),
-    Quantity::new("G_weakening", "J m-2",
+    SurfaceQuantity::new("G_weakening", "J m-2",
         "energy of slip weakening per nominal area under the pressure before the slide, from the peak of friction to the end",
-        Slide(|f| f.weakening_energy)).propagated(),
-    Quantity::new("G_weakening_real_area", "J m-2",
+        WholeSlide(|f| f.weakening_energy)).propagated(),
+    SurfaceQuantity::new("G_weakening_real_area", "J m-2",
         "energy of slip weakening per real contact area while sliding",
-        Slide(|f| f.weakening_energy.over(f.sliding.area_fraction))),
-    Quantity::new("G_real_area", "J m-2",
+        WholeSlide(|f| f.weakening_energy.over(f.sliding.area_fraction))),
+    SurfaceQuantity::new("G_real_area", "J m-2",
         "energy that the asperities release from full stick to full slip per real contact area before the slide",
         WhereKnown(|f| Some(f.energy_release?.over(f.pressed.area_fraction)))),
-    Quantity::new("weakening_distance", "m",
+    SurfaceQuantity::new("weakening_distance", "m",
         "slip-weakening distance, that of linear weakening with the same peak, end and integral of the friction coefficient",
-        Slide(|f| f.weakening_distance)),
-    Quantity::new("dmu_dlnV", "1",
+        WholeSlide(|f| f.weakening_distance)),
+    SurfaceQuantity::new("dmu_dlnV", "1",
         "derivative of the sliding friction coefficient with respect to the logarithm of the slip rate",
-        Slide(|f| f.rate_sensitivity)),
-    Quantity::new("real_area_fraction", "1", "real over nominal contact area while sliding",
-        Sliding(|s| s.area_fraction)).propagated(),
-    Quantity::new("real_area_fraction_press", "1", "real over nominal contact area before the slide",
-        Slide(|f| f.pressed.area_fraction)),
-    Quantity::new("separation", "m",
+        WholeSlide(|f| f.rate_sensitivity)),
+    SurfaceQuantity::new("real_area_fraction", "1", "real over nominal contact area while sliding",
+        SteadySliding(|s| s.area_fraction)).propagated(),
+    SurfaceQuantity::new("real_area_fraction_press", "1", "real over nominal contact area before the slide",
+        WholeSlide(|f| f.pressed.area_fraction)),
+    SurfaceQuantity::new("separation", "m",
         "distance of the flat from the undisplaced reference plane of the heights before the slide",
-        Slide(|f| f.pressed.separation)).propagated(),
-    Quantity::new("separation_sliding", "m",
+        WholeSlide(|f| f.pressed.separation)).propagated(),
+    SurfaceQuantity::new("separation_sliding", "m",
         "distance of the flat from the undisplaced reference plane of the heights while sliding",
-        Sliding(|s| s.separation)),
-    Quantity::new("mean_plane_displacement", "m",
+        SteadySliding(|s| s.separation)),
+    SurfaceQuantity::new("mean_plane_displacement", "m",
         "displacement of the reference plane of the heights by the nominal pressure before the slide",
-        Slide(|f| f.pressed.displacement)),
-    Quantity::new("pressure", "Pa", "nominal pressure before the slide", Slide(|f| f.pressed.pressure)),
-    Quantity::new("pressure_sliding", "Pa", "nominal pressure while sliding", Sliding(|s| s.pressure)),
-    Quantity::new("contact_density", "m-2", "asperities in contact per nominal area while sliding",
-        Sliding(|s| s.contact_density)),
-    Quantity::new("contact_density_press", "m-2", "asperities in contact per nominal area before the slide",
-        Slide(|f| f.pressed.contact_density)),
-    Quantity::new("temperature_mean", "K",
+        WholeSlide(|f| f.pressed.displacement)),
+    SurfaceQuantity::new("pressure", "Pa", "nominal pressure before the slide", WholeSlide(|f| f.pressed.pressure)),
+    SurfaceQuantity::new("pressure_sliding", "Pa", "nominal pressure while sliding", SteadySliding(|s| s.pressure)),
+    SurfaceQuantity::new("contact_density", "m-2", "asperities in contact per nominal area while sliding",
+        SteadySliding(|s| s.contact_density)),
+    SurfaceQuantity::new("contact_density_press", "m-2", "asperities in contact per nominal area before the slide",
+        WholeSlide(|f| f.pressed.contact_density)),
+    SurfaceQuantity::new("temperature_mean", "K",
         "temperature of the contacts at the end of the slide, mean over the real contact area",
         WhereKnown(|f| f.contacts.temperature_mean)),
-    Quantity::new("temperature_max", "K",
+    SurfaceQuantity::new("temperature_max", "K",
         "temperature that the hottest point of one contact in a thousand exceeds at the end of the slide",
         WhereKnown(|f| f.contacts.temperature_max)),
-    Quantity::new("elastic_load_fraction", "1",
+    SurfaceQuantity::new("elastic_load_fraction", "1",
         "share of the load on contacts below first yield at the end of the slide",
         Share(|f| f.contacts.elastic_load)),
-    Quantity::new("elastic_plastic_load_fraction", "1",
+    SurfaceQuantity::new("elastic_plastic_load_fraction", "1",
         "share of the load on contacts between first yield and 110 times its interference at the end of the slide",
         Share(|f| f.contacts.elastic_plastic_load)),
-    Quantity::new("fully_plastic_load_fraction", "1",
+    SurfaceQuantity::new("fully_plastic_load_fraction", "1",
         "share of the load on contacts above 110 times the interference of first yield at the end of the slide",
         Share(|f| f.contacts.fully_plastic_load)),
-    Quantity::new("outside_table_fraction", "1",
+    SurfaceQuantity::new("outside_table_fraction", "1",
         "largest share of the load carried above the last interference of the table during the slide",
         Share(|f| f.outside_table)),
-    Quantity::new("below_table_fraction", "1",
+    SurfaceQuantity::new("below_table_fraction", "1",
         "share of the load on contacts below the first interference of the table at the end of the slide",
         Share(|f| f.contacts.below_law_load)),
-    Quantity::new("elastic_fraction", "1",
+    SurfaceQuantity::new("elastic_fraction", "1",
         "share of the asperities in contact pressed less than first yield needs, at the end of the slide",
         Share(|f| f.contacts.shares.elastic)),
-    Quantity::new("plastic_fraction", "1",
+    SurfaceQuantity::new("plastic_fraction", "1",
         "share of the asperities in contact pressed beyond first yield and not melting, at the end of the slide",
         Share(|f| f.contacts.shares.plastic)),
-    Quantity::new("melting_fraction", "1",
+    SurfaceQuantity::new("melting_fraction", "1",
         "share of the asperities in contact whose hottest point has the melting temperature, at the end of the slide",
         Share(|f| f.contacts.shares.melting)),
 ];
 
-impl Quantity {
+impl SurfaceQuantity {
     const fn new(name: &'static str, unit: &'static str, long_name: &'static str, source: Source) -> Self {
         Self { name, unit, long_name, source, propagated: false }
     }
@@ -133,8 +133,8 @@ impl Quantity {
     /// Value and error; none where the law does not state it. A share has no error.
     pub fn of(&self, friction: &Friction) -> Option<Estimate> {
         match self.source {
-            Source::Sliding(of) => Some(of(&friction.sliding)),
-            Source::Slide(of) => Some(of(friction)),
+            Source::SteadySliding(of) => Some(of(&friction.sliding)),
+            Source::WholeSlide(of) => Some(of(friction)),
             Source::WhereKnown(of) => of(friction),
             Source::Share(of) => Some(Estimate::exact(of(friction))),
         }

@@ -140,9 +140,9 @@ impl HeldSeparation {
     }
 }
 
-/// Start of sliding of a whole surface.
+/// Sliding inception of the whole surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inception {
+pub struct SurfaceInception {
     /// Slip at which it is reached, m.
     pub slip: Estimate,
     /// Friction coefficient there, 1.
@@ -158,7 +158,7 @@ pub struct Inception {
 /// Errors include the difference from every second point of the curve. Up to there friction rises with the
 /// slip, so that the slip is uncertain in proportion, too, and at least as the slips at which the contacts begin to slide,
 /// `of_contacts` relatively.
-pub fn inception(slip: &[f64], mu: &[Estimate], of_contacts: f64) -> Inception {
+pub fn inception(slip: &[f64], mu: &[Estimate], of_contacts: f64) -> SurfaceInception {
     let mut found = inception_on(slip, mu);
     let coarse_slip: Vec<f64> = slip.iter().copied().step_by(2).collect();
     let coarse_mu: Vec<Estimate> = mu.iter().copied().step_by(2).collect();
@@ -171,11 +171,11 @@ pub fn inception(slip: &[f64], mu: &[Estimate], of_contacts: f64) -> Inception {
     found
 }
 
-fn inception_on(slip: &[f64], mu: &[Estimate]) -> Inception {
+fn inception_on(slip: &[f64], mu: &[Estimate]) -> SurfaceInception {
     let slope = |i: usize| (mu[i + 1].value - mu[i].value) / (slip[i + 1] - slip[i]);
     let found = |slip: f64, mu: Estimate, reached: bool| {
         let share = if mu.value > 0.0 { mu.error / mu.value } else { 0.0 };
-        Inception { slip: Estimate { value: slip, error: slip * share }, mu, reached }
+        SurfaceInception { slip: Estimate { value: slip, error: slip * share }, mu, reached }
     };
     let at_node = |i: usize, reached: bool| found(slip[i], mu[i], reached);
     let last = slip.len() - 1;

@@ -7,7 +7,7 @@ use super::rate_law::NoFit;
 use super::warning::Warning;
 use super::*;
 use crate::integral::test_laws::{PowerLaw, STEEL, query, surface};
-use crate::surface::heights::{Exponential, Gaussian, Sample, Uniform};
+use crate::surface::heights::{Empirical, Exponential, Gaussian, Uniform};
 use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use tables::closed_forms::{closed_form, hertz};
 use tables::law::{AsperityLaw, Estimate};
@@ -188,7 +188,7 @@ fn contacts_too_large_for_their_asperities_are_refused_unless_extrapolation_is_a
 #[test]
 fn few_heights_of_a_sample_in_contact_are_named() {
     let heights = (0..40).map(|i| if i == 0 { 5e-6 } else { 1e-8 * f64::from(i) }).collect();
-    let surface = surface(Sample::new(heights).unwrap());
+    let surface = surface(Empirical::new(heights).unwrap());
     let few = |separation: f64| {
         let query = query(NormalLoading::Separation(vec![separation]));
         let found = of_query(&PowerLaw::hertz(), &surface, &query).unwrap();

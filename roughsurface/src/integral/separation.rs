@@ -189,7 +189,7 @@ fn bracketed(
 mod tests {
     use super::*;
     use crate::integral::test_laws::{PowerLaw, asperity};
-    use crate::surface::heights::{Exponential, Gaussian, Heights, Sample, Uniform};
+    use crate::surface::heights::{Empirical, Exponential, Gaussian, Heights, Uniform};
     use crate::surface::radii::ByRadius;
 
     #[test]
@@ -221,7 +221,7 @@ mod tests {
     fn the_highest_of_a_few_measured_heights_carries_a_light_load() {
         let law = PowerLaw::hertz();
         let asperities = ByRadius::of_classes(vec![(1.0, asperity(&law))]);
-        let heights = Sample::new(vec![0.0, 1e-6, 2.5e-6]).unwrap();
+        let heights = Empirical::new(vec![0.0, 1e-6, 2.5e-6]).unwrap();
         let mut integral = SurfaceIntegral::new(&asperities, &heights, 1e10, 1e-10);
         let origin = Predictor::at(0.0, &heights);
         let found = separation_for(&mut integral, 1e-3, origin).unwrap();

@@ -2,7 +2,7 @@
 
 use crate::friction::Friction;
 use crate::friction::cutoff::AtCutoff;
-use crate::friction::quantities::Quantity;
+use crate::friction::quantities::SurfaceQuantity;
 use crate::output::figure::chosen;
 use crate::output::result_tables::{Rows, head};
 use crate::sampling::case::Results;
@@ -25,7 +25,7 @@ const SUMMITS: [Summit; 3] = [
 const OUTSIDE: &str = "outside table";
 
 /// Of all cells, row by row; unknown where there are none.
-fn estimates(quantity: &Quantity, at: &AtCutoff, rates: usize) -> Vec<Estimate> {
+fn estimates(quantity: &SurfaceQuantity, at: &AtCutoff, rates: usize) -> Vec<Estimate> {
     let of =
         |cell: &Option<Friction>| cell.as_ref().map_or(Estimate::UNKNOWN, |cell| quantity.estimate(cell));
     let row = |row: &Result<Vec<Option<Friction>>, _>| match row {
@@ -52,7 +52,7 @@ pub(super) fn write(
         let long_name = format!("{long_name}, by cut-off");
         file.reals(&format!("{name}_cutoff"), &["cutoff"], &values, &described(unit, &long_name))?;
     }
-    for quantity in SHOWN.map(Quantity::named) {
+    for quantity in SHOWN.map(SurfaceQuantity::named) {
         let of = |at: &AtCutoff| estimates(quantity, at, rates);
         let values: Vec<f64> = cutoffs.iter().flat_map(of).map(|estimate| estimate.value).collect();
         let name = format!("{}_cutoff", quantity.name);
@@ -71,7 +71,7 @@ pub(super) fn json(cutoffs: &[AtCutoff], rates: usize) -> Value {
         for (name, unit, _, value) in SUMMITS {
             entry[name] = json!(Estimate { value: value(at), error: f64::NAN }.in_unit(unit));
         }
-        for quantity in SHOWN.map(Quantity::named) {
+        for quantity in SHOWN.map(SurfaceQuantity::named) {
             let all = estimates(quantity, at, rates).into_iter();
             entry[quantity.name] = all.map(|estimate| json!(estimate.in_unit(quantity.unit))).collect();
         }
@@ -103,7 +103,7 @@ pub(super) fn rows(results: &Results) -> Rows {
                 Ok(cells) => {
                     for &rate in &rates {
                         let shown = |name| match &cells[rate] {
-                            Some(cell) => format!("{:.4}", Quantity::named(name).estimate(cell).value),
+                            Some(cell) => format!("{:.4}", SurfaceQuantity::named(name).estimate(cell).value),
                             None => OUTSIDE.into(),
                         };
                         row.extend(SHOWN.map(shown));

@@ -1,6 +1,6 @@
 //! Figures of a prediction.
 
-use crate::friction::quantities::Quantity;
+use crate::friction::quantities::SurfaceQuantity;
 use crate::friction::rate_law::RateLaw;
 use crate::friction::rate_step::RateStepResponse;
 use crate::friction::{Friction, Prediction};
@@ -221,7 +221,7 @@ fn over_loading(
     let rates = &prediction.query.slip_rates;
     let mut curves = Vec::new();
     let mut add = |label: String, x: &[f64], cells: &mut dyn Iterator<Item = &Friction>, name| {
-        let quantity = Quantity::named(name);
+        let quantity = SurfaceQuantity::named(name);
         let y = cells.map(|cell| quantity.estimate(cell).scaled(factor));
         curves.push(Curve::with_errors(label, x.to_vec(), y));
     };

@@ -2,7 +2,7 @@
 
 use crate::friction::Friction;
 use crate::friction::comparison::Comparison;
-use crate::friction::quantities::{QUANTITIES, Quantity, Source};
+use crate::friction::quantities::{QUANTITIES, Source, SurfaceQuantity};
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
 use crate::output::origin::{Origin, grid_coordinates, with_error};
@@ -44,7 +44,7 @@ pub fn write(path: &Path, results: &Results, origin: &Origin) -> Result<(), Data
     let cells: Vec<&Friction> = prediction.friction.iter().flatten().collect();
     // The coordinate takes the place of the variable of that name.
     for quantity in QUANTITIES.iter().filter(|quantity| quantity.name != row) {
-        let Quantity { name, unit, long_name, .. } = *quantity;
+        let SurfaceQuantity { name, unit, long_name, .. } = *quantity;
         let estimates: Vec<Estimate> = cells.iter().map(|cell| quantity.estimate(cell)).collect();
         if let Source::Share(_) = quantity.source {
             let values: Vec<f64> = estimates.iter().map(|share| share.value).collect();
@@ -79,7 +79,7 @@ fn compared(file: &mut DatasetWriter, comparisons: &[Comparison], row: &str) -> 
     let limits: Vec<f64> = comparisons.iter().map(|comparison| comparison.limit).collect();
     let meaning = "interference over that of first yield at which the formulae of the model end";
     file.reals("interference_limit_model", &["model"], &limits, &described("1", meaning))?;
-    for quantity in COMPARED.map(Quantity::named) {
+    for quantity in COMPARED.map(SurfaceQuantity::named) {
         let cells = comparisons.iter().flat_map(|comparison| &comparison.friction);
         let values: Vec<f64> = cells.map(|cell| quantity.estimate(cell).value).collect();
         let long_name = format!("{}, with the asperities of the model", quantity.long_name);
@@ -100,7 +100,7 @@ fn parameters(
     let meaning = "parameter of the surface file with a standard deviation";
     file.texts("parameter", &["parameter"], &keys, &[("long_name", meaning.into())])?;
     let cells = &propagated.contributions;
-    for (output, Quantity { name, unit, .. }) in outputs().enumerate() {
+    for (output, SurfaceQuantity { name, unit, .. }) in outputs().enumerate() {
         let stds: Vec<f64> = (0..cells.len()).map(|cell| propagated.std(cell, output)).collect();
         let long_name = format!("standard deviation of {name} from the uncertain parameters");
         file.reals(&format!("{name}_parameter_std"), grid, &stds, &described(unit, &long_name))?;

@@ -1,7 +1,7 @@
 //! Tables of a prediction, heading first, for the summary and the report.
 
 use crate::friction::Friction;
-use crate::friction::quantities::{Quantity, Source};
+use crate::friction::quantities::{Source, SurfaceQuantity};
 use crate::sampling::case::Results;
 use crate::sampling::uncertainty::outputs;
 use tables::numbers;
@@ -27,7 +27,7 @@ fn plain(value: f64, decimals: usize) -> String {
 
 /// A quantity of a cell with its error; shares of the summits without.
 fn shown(name: &str, cell: &Friction) -> String {
-    let quantity = Quantity::named(name);
+    let quantity = SurfaceQuantity::named(name);
     match (&quantity.source, quantity.of(cell)) {
         (Source::Share(_), Some(Estimate { value, .. })) if value < 5e-5 => NO_SHARE.into(),
         (Source::Share(_), Some(Estimate { value, .. })) => format!("{:.2} %", 100.0 * value),

@@ -67,7 +67,7 @@ pub fn write(path: &Path, samples: &Samples, origin: &Origin) -> Result<(), Data
         Ok(())
     };
     for quantity in &QUANTITIES {
-        if let Source::Sliding(of) = quantity.source {
+        if let Source::SteadySliding(of) = quantity.source {
             variable(quantity.name, quantity.unit, quantity.long_name, &|one| of(&one.state).value)?;
         }
     }

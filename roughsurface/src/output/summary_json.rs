@@ -1,7 +1,7 @@
 //! The summary of a prediction as JSON: the numbers of the file, without histories.
 
 use crate::friction::Friction;
-use crate::friction::quantities::{QUANTITIES, Quantity, Source};
+use crate::friction::quantities::{QUANTITIES, Source, SurfaceQuantity};
 use crate::friction::rate_law::RateLaws;
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
@@ -50,7 +50,7 @@ pub fn json(results: &Results) -> Value {
                 ("model".to_string(), comparison.model.as_str().into()),
                 (row.to_string(), (*load).into()),
             ]);
-            cell.extend(quantities(COMPARED.map(Quantity::named), friction));
+            cell.extend(quantities(COMPARED.map(SurfaceQuantity::named), friction));
             Value::Object(cell)
         })
     });
@@ -73,8 +73,11 @@ pub fn json(results: &Results) -> Value {
 }
 
 /// Quantities of a cell with errors and units; null where the law does not state them. The error of a share is null.
-fn quantities<'a>(list: impl IntoIterator<Item = &'a Quantity>, friction: &Friction) -> Map<String, Value> {
-    let value = |quantity: &Quantity| {
+fn quantities<'a>(
+    list: impl IntoIterator<Item = &'a SurfaceQuantity>,
+    friction: &Friction,
+) -> Map<String, Value> {
+    let value = |quantity: &SurfaceQuantity| {
         let error = |known: Estimate| match quantity.source {
             Source::Share(_) => f64::NAN,
             _ => known.error,

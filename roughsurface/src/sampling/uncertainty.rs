@@ -6,7 +6,7 @@
 //! varied by another table, on one side only: first order instead of second; so are radii of which one side leaves
 //! the slip rates of the table.
 
-use crate::friction::quantities::{QUANTITIES, Quantity};
+use crate::friction::quantities::{QUANTITIES, SurfaceQuantity};
 use crate::friction::warning::Warning;
 use crate::friction::{Prediction, PredictionError, Settings, predict};
 use crate::integral::law_source::{LawSource, LawSourceError};
@@ -22,7 +22,7 @@ pub struct VariedParameter {
 }
 
 /// Results that uncertainties are propagated to, in the order of [`Propagated::contributions`].
-pub fn outputs() -> impl Iterator<Item = &'static Quantity> {
+pub fn outputs() -> impl Iterator<Item = &'static SurfaceQuantity> {
     QUANTITIES.iter().filter(|quantity| quantity.propagated)
 }
 

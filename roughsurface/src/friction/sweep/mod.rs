@@ -19,20 +19,20 @@ use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
 use crate::surface::query::{ContactLife, LoadingControl, NormalLoading, Query, Surface};
 use tables::law::{AsperityLaw, Estimate, LookupError};
 
-/// The slide of one cell.
-pub(crate) struct Slide {
-    /// After each slip of the grid.
+/// The slide of the surface at one pressure or separation and one slip rate.
+pub(crate) struct SurfaceSlide {
+    /// State after each slip of the grid.
     pub(crate) curve: Vec<SlipState>,
-    /// At the end of the curve.
+    /// Contacts at the end of the curve.
     pub(crate) contacts: Contacts,
-    /// With contacts of all ages of their life.
+    /// Steady sliding with contacts of all ages of their life.
     pub(crate) sliding: SlipState,
-    /// With contacts that last.
+    /// Steady sliding with contacts that last.
     pub(crate) lasting: SlipState,
 }
 
 /// The surface under the pressure or separation of a row, before the slide.
-pub(crate) struct Pressed {
+pub(crate) struct PressedSurface {
     equilibrium: EquilibriumState,
     at_rest: SlipState,
     /// Pressure (Pa), which a held load keeps; it has an error where the query gives the separation.
@@ -42,7 +42,7 @@ pub(crate) struct Pressed {
     energy_release: Option<Estimate>,
 }
 
-impl Pressed {
+impl PressedSurface {
     fn history(&self) -> PredictorHistory {
         self.equilibrium.predictor().into()
     }
@@ -52,7 +52,7 @@ impl Pressed {
 pub(crate) struct SlidingRow<'s> {
     pub(crate) row: usize,
     pub(crate) slips: &'s [f64],
-    pub(crate) pressed: &'s Pressed,
+    pub(crate) pressed: &'s PressedSurface,
 }
 
 /// One query of one surface.
@@ -85,7 +85,7 @@ impl<'a> Sweep<'a> {
         SurfaceIntegral::new(asperities, heights, self.surface.asperity_density, self.settings.tolerance)
     }
 
-    pub(crate) fn press(&self, row: usize, rate: usize) -> Result<Pressed, PredictionError> {
+    pub(crate) fn press(&self, row: usize, rate: usize) -> Result<PressedSurface, PredictionError> {
         let asperities = self.asperities[rate].map(|asperity| asperity.with(Additional::EnergyRelease));
         let mut integral = self.integral(&asperities);
         let (equilibrium, at_rest, pressure, held, shift) = match &self.query.loading {
@@ -118,7 +118,7 @@ impl<'a> Sweep<'a> {
             let Estimate { value, error } = energy.estimate();
             Estimate { value, error: error + shift * (equilibrium.sensitivity.additional * value).abs() }
         });
-        Ok(Pressed { equilibrium, at_rest, pressure, separation, energy_release })
+        Ok(PressedSurface { equilibrium, at_rest, pressure, separation, energy_release })
     }
 
     /// The surface of each of the `rows` after its neighbouring slips (m). Rows share the responses of the asperities where
@@ -151,7 +151,7 @@ impl<'a> Sweep<'a> {
         &self,
         (row, rate): (usize, usize),
         life: ContactLife,
-        pressed: &Pressed,
+        pressed: &PressedSurface,
     ) -> Result<SlipState, PredictionError> {
         self.steady(&self.asperities[rate], (row, self.query.slip_rates[rate]), life, pressed)
     }
@@ -161,7 +161,7 @@ impl<'a> Sweep<'a> {
         asperities: &Asperities<'a>,
         cell: (usize, f64),
         life: ContactLife,
-        pressed: &Pressed,
+        pressed: &PressedSurface,
     ) -> Result<SlipState, PredictionError> {
         let asperities = asperities.map(|one| one.of_all_ages(life).with(Additional::UnsteadyLoad));
         let known = asperities.classes.iter().all(|(_, asperity)| asperity.has_friction_of_all_ages());
@@ -174,7 +174,7 @@ impl<'a> Sweep<'a> {
         &self,
         (row, slip_rate): (usize, f64),
         integral: &mut SurfaceIntegral,
-        before: &Pressed,
+        before: &PressedSurface,
         history: &mut PredictorHistory,
     ) -> Result<SlipState, PredictionError> {
         let state = match self.query.control {
@@ -214,12 +214,12 @@ impl<'a> Sweep<'a> {
     pub(crate) fn evaluate(
         &self,
         (row, rate): (usize, usize),
-        pressed: &Pressed,
+        pressed: &PressedSurface,
         slip: &[f64],
-        slide: Slide,
+        slide: SurfaceSlide,
         warnings: &mut Vec<Warning>,
     ) -> Friction {
-        let Slide { curve, contacts, sliding, lasting } = &slide;
+        let SurfaceSlide { curve, contacts, sliding, lasting } = &slide;
         let mu_history: Vec<Estimate> = curve.iter().map(|state| state.mu).collect();
         let start = inception(slip, &mu_history, contacts.inception_error);
         let outside_table =
@@ -251,7 +251,7 @@ impl<'a> Sweep<'a> {
 }
 
 /// Smallest and largest contact radius (m) averaged over the load.
-pub(crate) fn loaded_radii<'a>(pressed: impl IntoIterator<Item = &'a Pressed>) -> [f64; 2] {
+pub(crate) fn loaded_radii<'a>(pressed: impl IntoIterator<Item = &'a PressedSurface>) -> [f64; 2] {
     let radii = pressed.into_iter().map(|pressed| pressed.equilibrium.state.loaded_radius);
     radii.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], radius| [low.min(radius), high.max(radius)])
 }

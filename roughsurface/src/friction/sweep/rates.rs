@@ -1,6 +1,6 @@
 //! Steady sliding at the slip rates of the law, and through a step of the slip rate.
 
-use super::{Asperities, PredictionError, Pressed, SlipState, Sweep, loaded_radii};
+use super::{Asperities, PredictionError, PressedSurface, SlipState, Sweep, loaded_radii};
 use crate::friction::in_order;
 use crate::friction::rate_step::{self, RateStepResponse, Stepped};
 use crate::surface::query::ContactLife;
@@ -35,11 +35,11 @@ impl<'a> Sweep<'a> {
     pub(crate) fn slide_steadily_around(
         &self,
         slip_rates: &[f64],
-        pressed: &[&Pressed],
+        pressed: &[&PressedSurface],
     ) -> Result<Vec<Vec<Estimate>>, PredictionError> {
         let of_rate = |&rate: &f64| -> Result<Vec<Estimate>, PredictionError> {
             let asperities = Asperities::new(self.law, self.surface, rate)?;
-            let mu = |(row, pressed): (usize, &&Pressed)| {
+            let mu = |(row, pressed): (usize, &&PressedSurface)| {
                 self.steady(&asperities, (row, rate), self.query.contact_life, pressed).map(|state| state.mu)
             };
             pressed.iter().enumerate().map(mu).collect()
@@ -56,7 +56,7 @@ impl<'a> Sweep<'a> {
     /// before the slide.
     pub(crate) fn rate_step(
         &self,
-        pressed: &[&Pressed],
+        pressed: &[&PressedSurface],
     ) -> Result<Option<RateStepResponse>, PredictionError> {
         let (Some(rates), ContactLife::Diameters(diameters)) =
             (self.query.rate_step, self.query.contact_life)

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::{Pressed, Slide, Sweep};
+use super::{PressedSurface, SurfaceSlide, Sweep};
 use crate::friction::contacts::Contacts;
-use crate::friction::slip_curve::{Inception, SlipState};
+use crate::friction::slip_curve::{SlipState, SurfaceInception};
 use crate::friction::warning::{Place, Warning};
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::surface::query::ContactLife;
@@ -40,9 +40,9 @@ impl Sweep<'_> {
     pub(super) fn warn(
         &self,
         (row, rate): (usize, usize),
-        pressed: &Pressed,
-        Slide { curve, contacts, sliding, lasting }: &Slide,
-        start: &Inception,
+        pressed: &PressedSurface,
+        SurfaceSlide { curve, contacts, sliding, lasting }: &SurfaceSlide,
+        start: &SurfaceInception,
         outside_table: f64,
         warnings: &mut Vec<Warning>,
     ) {
@@ -51,7 +51,7 @@ impl Sweep<'_> {
         if outside_table > NEGLIGIBLE_SHARE && self.law.above_range() == AboveRange::Extrapolated {
             warnings.push(Warning::Extrapolated { at: at(), share: outside_table });
         }
-        let measured = self.surface.heights.measured().map(|heights| heights.len() as f64);
+        let measured = self.surface.heights.finite_set().map(|heights| heights.len() as f64);
         let density = sliding.contact_density.value / self.surface.asperity_density;
         if let Some(count) = measured.map(|heights| heights * density).filter(|count| *count < FEW_CONTACTS) {
             warnings.push(Warning::FewContacts { at: at(), count });
@@ -130,7 +130,12 @@ impl Sweep<'_> {
     }
 
     /// A warning where contacts stick for much of the slip that they live for.
-    fn short_life(&self, (row, rate): (usize, usize), pressed: &Pressed, inception: f64) -> Option<Warning> {
+    fn short_life(
+        &self,
+        (row, rate): (usize, usize),
+        pressed: &PressedSurface,
+        inception: f64,
+    ) -> Option<Warning> {
         let ContactLife::Diameters(life) = self.query.contact_life else { return None };
         let life = 2.0 * life * pressed.equilibrium.state.loaded_radius;
         let at = || Place::of(self.query, row, rate);

@@ -111,7 +111,7 @@ impl<'a> HeightIntegral<'a> {
 
     /// Load, friction, area and number of contacts at `separation` (m).
     pub fn at(&mut self, separation: f64) -> Result<ContactState, LookupError> {
-        if let Some(heights) = self.heights.measured() {
+        if let Some(heights) = self.heights.finite_set() {
             return self.summed(heights, separation);
         }
         let leaves = self.refine(separation)?;

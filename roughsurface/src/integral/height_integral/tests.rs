@@ -4,7 +4,7 @@
 use super::*;
 use crate::integral::test_laws::{PowerLaw, STEEL, asperity};
 use crate::surface::heights::{
-    Exponential, Gaussian, Histogram, LogNormal, Sample, TruncatedGaussian, Uniform, Weibull,
+    Empirical, Exponential, Gaussian, Histogram, LogNormal, TruncatedGaussian, Uniform, Weibull,
 };
 use tables::closed_forms::closed_form;
 
@@ -224,7 +224,7 @@ fn a_large_measured_set_approaches_its_parent() {
     // Quantiles of exponential heights: a midpoint rule in the tail, with an end error of order 1/n.
     let count = 20_000;
     let quantiles = (0..count).map(|i| -STD * ((f64::from(i) + 0.5) / f64::from(count)).ln());
-    let sample = Sample::new(quantiles.collect()).unwrap();
+    let sample = Empirical::new(quantiles.collect()).unwrap();
     let law = PowerLaw::hertz();
     let at =
         |heights: &dyn Heights| HeightIntegral::new(asperity(&law), heights, 1.0, 1e-12).at(STD).unwrap();

@@ -1,6 +1,6 @@
 //! Charts that the reader of the report can change, drawn by uPlot (MIT, `uplot/LICENSE`).
 
-use crate::friction::quantities::{QUANTITIES, Quantity};
+use crate::friction::quantities::{QUANTITIES, SurfaceQuantity};
 use crate::output::figure::chosen;
 use crate::sampling::case::Results;
 use crate::surface::query::NormalLoading;
@@ -60,7 +60,7 @@ fn data(results: &Results) -> Value {
     let over = |value: &dyn Fn(usize, usize) -> Value| -> Value {
         rows.iter().map(|&row| rates.iter().map(|&rate| value(row, rate)).collect::<Value>()).collect()
     };
-    let quantity = |quantity: &Quantity| {
+    let quantity = |quantity: &SurfaceQuantity| {
         let value =
             |row: usize, rate: usize| rounded(quantity.estimate(&prediction.friction[row][rate]).value);
         json!({"name": quantity.name, "long_name": quantity.long_name, "unit": quantity.unit, "values": over(&value)})

@@ -6,7 +6,7 @@
 //!
 //! Depends on `friction`, `integral` and `surface`. Chapter "Rough surfaces" of the book.
 
-mod drawn;
+mod realization;
 mod states;
 #[cfg(test)]
 mod tests;
@@ -21,10 +21,10 @@ use crate::integral::separation::separation_for;
 use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
 use crate::surface::heights::Random;
 use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
-use drawn::draw;
 use rand::{RngExt, SeedableRng};
+use realization::Realization;
 pub use states::SampledState;
-use states::{LawAtRate, Slide, Summits};
+use states::{LawAtRate, SummitLoading, SummitPopulation};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::{AboveRange, AsperityLaw, LookupError};
 
@@ -84,24 +84,26 @@ pub fn sample(
     let laws: Vec<LawAtRate> = query.slip_rates.iter().map(with_rate).collect::<Result<_, LookupError>>()?;
     let predictors = predictors(&laws, surface, query, settings);
     let plane = MeanPlane::new(query, law)?;
-    let slide = Slide { law, query, settings, plane, laws: &laws, predictors: &predictors };
+    let loading = SummitLoading { law, query, settings, plane, laws: &laws, predictors: &predictors };
     let mut seeds = Random::seed_from_u64(sampling.seed);
     let seeds: Vec<u64> = (0..sampling.realizations).map(|_| seeds.random()).collect();
     let done = AtomicUsize::new(0);
-    let infinite = Summits {
+    let infinite = SummitPopulation {
         heights: surface.heights.as_ref(),
-        of_radius: &[],
+        heights_by_radius: &[],
         density: surface.asperity_density,
         count: sampling.asperities,
     };
     let surfaces: Vec<Vec<SampledState>> = in_order(&seeds, |&seed| {
-        let drawn = draw(surface, sampling.asperities, seed);
-        let summits = Summits { heights: &drawn.all, of_radius: &drawn.of_radius, ..infinite };
-        let states = slide.states(&summits).into_iter().collect();
+        let Realization { heights, heights_by_radius } =
+            Realization::draw(surface, sampling.asperities, seed);
+        let summits =
+            SummitPopulation { heights: &heights, heights_by_radius: &heights_by_radius, ..infinite };
+        let states = loading.states(&summits).into_iter().collect();
         progress(done.fetch_add(1, Ordering::Relaxed) + 1, sampling.realizations);
         states
     })?;
-    let infinite: Vec<Option<SampledState>> = slide.states(&infinite).into_iter().map(Result::ok).collect();
+    let infinite: Vec<Option<SampledState>> = loading.states(&infinite).into_iter().map(Result::ok).collect();
     let states: Vec<Vec<SampledState>> =
         (0..predictors.len()).map(|cell| surfaces.iter().map(|surface| surface[cell]).collect()).collect();
     let mut warnings = of_infinite_extent(law, surface, query, sampling.slip, settings);

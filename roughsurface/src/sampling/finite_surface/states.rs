@@ -9,7 +9,7 @@ use crate::integral::mean_plane::MeanPlane;
 use crate::integral::predictor::Predictor;
 use crate::integral::separation::separation_for;
 use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
-use crate::surface::heights::{Heights, Sample};
+use crate::surface::heights::{Empirical, Heights};
 use crate::surface::query::{LoadingControl, NormalLoading, Query};
 use tables::law::{AsperityLaw, Estimate};
 
@@ -28,23 +28,23 @@ pub(super) struct LawAtRate<'a> {
     pub after: Asperities<'a>,
 }
 
-/// Summits whose responses are added up.
-pub(super) struct Summits<'a> {
+/// The summits of one surface, whose responses are added up.
+pub(super) struct SummitPopulation<'a> {
     pub heights: &'a dyn Heights,
-    /// Those of each radius, of a surface that is drawn from several.
-    pub of_radius: &'a [Sample],
-    /// 1/m².
+    /// Heights of the summits of each radius, of a finite surface with several radii; empty otherwise.
+    pub heights_by_radius: &'a [Empirical],
+    /// Summits per nominal area, 1/m².
     pub density: f64,
-    /// Those that are counted.
+    /// Number of summits.
     pub count: usize,
 }
 
-impl Summits<'_> {
+impl SummitPopulation<'_> {
     fn integral<'a>(&'a self, asperities: &Asperities<'a>, tolerance: f64) -> SurfaceIntegral<'a> {
-        if self.of_radius.is_empty() {
+        if self.heights_by_radius.is_empty() {
             return SurfaceIntegral::new(asperities, self.heights, self.density, tolerance);
         }
-        let parts = self.of_radius.iter().zip(&asperities.classes).map(|(heights, (_, asperity))| {
+        let parts = self.heights_by_radius.iter().zip(&asperities.classes).map(|(heights, (_, asperity))| {
             let share = heights.count() as f64 / self.count as f64;
             (share, HeightIntegral::new(asperity.clone(), heights, self.density, tolerance))
         });
@@ -52,25 +52,25 @@ impl Summits<'_> {
     }
 }
 
-/// How summits are pressed and slid.
-pub(super) struct Slide<'a> {
+/// Loading of the summits of a surface: normal loading, then the slide.
+pub(super) struct SummitLoading<'a> {
     pub law: &'a dyn AsperityLaw,
     pub query: &'a Query,
     pub settings: &'a Settings,
     pub plane: MeanPlane,
-    /// At each slip rate.
+    /// Response of the asperities at each slip rate.
     pub laws: &'a [LawAtRate<'a>],
     /// Where the search for a separation starts, at every pressure or separation and slip rate, row by row.
     pub predictors: &'a [Predictor],
 }
 
-impl Slide<'_> {
+impl SummitLoading<'_> {
     /// At every pressure or separation and slip rate, row by row.
-    pub fn states(&self, summits: &Summits) -> Vec<Result<SampledState, PredictionError>> {
+    pub fn states(&self, summits: &SummitPopulation) -> Vec<Result<SampledState, PredictionError>> {
         (0..self.predictors.len()).map(|cell| self.state(summits, cell)).collect()
     }
 
-    fn state(&self, summits: &Summits, cell: usize) -> Result<SampledState, PredictionError> {
+    fn state(&self, summits: &SummitPopulation, cell: usize) -> Result<SampledState, PredictionError> {
         let (row, rate) = (cell / self.laws.len(), cell % self.laws.len());
         let (separation, state) = self.slid(summits, row, rate, self.predictors[cell])?;
         let contacts = state.contact_density * summits.count as f64 / summits.density;
@@ -82,7 +82,7 @@ impl Slide<'_> {
     /// Effective separation (m) and state after the slide.
     fn slid(
         &self,
-        summits: &Summits,
+        summits: &SummitPopulation,
         row: usize,
         rate: usize,
         predictor: Predictor,

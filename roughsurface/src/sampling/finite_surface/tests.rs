@@ -4,7 +4,7 @@ use super::*;
 use crate::integral::law_source::LawSource;
 use crate::integral::test_laws::{PowerLaw, STEEL, query, surface};
 use crate::sampling::scatter::Scatter;
-use crate::surface::heights::{Exponential, Gaussian, Sample};
+use crate::surface::heights::{Empirical, Exponential, Gaussian};
 use crate::surface::query::ContactLife;
 use crate::surface::radii::Radii;
 use tables::closed_forms::closed_form;
@@ -88,7 +88,7 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
 /// As draws of two heights from two often are.
 #[test]
 fn surfaces_whose_summits_are_of_one_height_slide() {
-    let surface = surface(Sample::new(vec![0.0, 1e-7]).unwrap());
+    let surface = surface(Empirical::new(vec![0.0, 1e-7]).unwrap());
     let query = query(NormalLoading::Pressure(vec![1e6]));
     let sampling = Sampling { asperities: 2, realizations: 20, seed: 3, slip: Some(1.0) };
     let law = PowerLaw::hertz();

@@ -1,12 +1,12 @@
 //! The section `heights` of a surface file: every distribution by name, with the keys that it takes.
 
 use super::distribution::Heights;
+use super::empirical::Empirical;
 use super::exponential::Exponential;
 use super::gaussian::Gaussian;
 use super::histogram::Histogram;
 use super::inverted_chi_squared::InvertedChiSquared;
 use super::lognormal::LogNormal;
-use super::sample::Sample;
 use super::truncated_gaussian::TruncatedGaussian;
 use super::uniform::Uniform;
 use super::weibull::Weibull;
@@ -73,7 +73,7 @@ pub const DISTRIBUTIONS: &[Entry] = &[
     Entry {
         name: "sample",
         keys: &["file"],
-        build: |keys, folder| Ok(Box::new(Sample::read(&file(keys, folder))?)),
+        build: |keys, folder| Ok(Box::new(Empirical::read(&file(keys, folder))?)),
     },
     Entry {
         name: "histogram",

@@ -44,8 +44,8 @@ pub trait Heights: Debug + Send + Sync {
     fn standard_deviation(&self) -> f64;
     /// A random height, m.
     fn draw(&self, random: &mut Random) -> f64;
-    /// The heights themselves where they are a finite measured set, m.
-    fn measured(&self) -> Option<&[f64]> {
+    /// The heights themselves where they are a finite set, m.
+    fn finite_set(&self) -> Option<&[f64]> {
         None
     }
 }

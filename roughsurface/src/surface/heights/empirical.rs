@@ -3,15 +3,15 @@ use super::text_file::TextFile;
 use rand::RngExt;
 use std::path::Path;
 
-/// Measured heights, each representing an equal share of the summits.
+/// Empirical distribution: heights that are measured or drawn, each with an equal share of the summits.
 #[derive(Clone, Debug)]
-pub struct Sample {
+pub struct Empirical {
     /// Highest first, m.
     heights: Vec<f64>,
     std: f64,
 }
 
-impl Sample {
+impl Empirical {
     /// A set of at least two different finite heights (m), beyond the rounding of their mean.
     pub fn new(mut heights: Vec<f64>) -> Option<Self> {
         const ROUNDING: f64 = 1e-12;
@@ -59,9 +59,9 @@ impl Sample {
     }
 }
 
-impl Heights for Sample {
+impl Heights for Empirical {
     fn ln_density(&self, _height: f64) -> f64 {
-        unreachable!("measured heights are summed one by one")
+        unreachable!("heights of a finite set are summed one by one")
     }
     fn tail(&self, height: f64) -> f64 {
         let above = self.heights.partition_point(|&z| z > height);
@@ -79,7 +79,7 @@ impl Heights for Sample {
     fn draw(&self, random: &mut Random) -> f64 {
         self.heights[random.random_range(0..self.heights.len())]
     }
-    fn measured(&self) -> Option<&[f64]> {
+    fn finite_set(&self) -> Option<&[f64]> {
         Some(&self.heights)
     }
 }

@@ -7,12 +7,12 @@
 
 mod catalogue;
 mod distribution;
+mod empirical;
 mod exponential;
 mod gaussian;
 mod histogram;
 mod inverted_chi_squared;
 mod lognormal;
-mod sample;
 #[cfg(test)]
 mod tests;
 mod text_file;
@@ -22,12 +22,12 @@ mod weibull;
 
 pub use catalogue::{DISTRIBUTIONS, Entry, HeightsKeys, build};
 pub use distribution::{Heights, Random};
+pub use empirical::Empirical;
 pub use exponential::Exponential;
 pub use gaussian::Gaussian;
 pub use histogram::Histogram;
 pub use inverted_chi_squared::InvertedChiSquared;
 pub use lognormal::LogNormal;
-pub use sample::Sample;
 pub use truncated_gaussian::TruncatedGaussian;
 pub use uniform::Uniform;
 pub use weibull::Weibull;

@@ -119,12 +119,12 @@ fn drawn_heights_follow_the_tail() {
 
 #[test]
 fn a_measured_set_counts_its_summits() {
-    let heights = Sample::new(vec![1.0, 4.0, 2.0, 3.0]).unwrap();
+    let heights = Empirical::new(vec![1.0, 4.0, 2.0, 3.0]).unwrap();
     assert_eq!(heights.tail(2.5), 0.5);
     assert_eq!(heights.tail(0.0), 1.0);
-    assert!(Sample::new(vec![1.0, 1.0]).is_none());
+    assert!(Empirical::new(vec![1.0, 1.0]).is_none());
     // The variance of forty equal heights is not zero: their mean is rounded.
-    assert!(Sample::new(vec![1e-7; 40]).is_none());
+    assert!(Empirical::new(vec![1e-7; 40]).is_none());
 }
 
 /// What is read of a file with that text.
@@ -136,7 +136,7 @@ fn read<T>(text: &str, read: fn(&Path) -> Result<T, String>) -> Result<T, String
 
 #[test]
 fn pairs_of_positions_and_heights_are_no_sample() {
-    let read = |text: &str| read(text, Sample::read);
+    let read = |text: &str| read(text, Empirical::read);
     let message = read("# x z\n0 1e-7\n1e-6 2e-7\n\n2e-6 3e-7\n").unwrap_err();
     assert!(message.contains("has two numbers in every line"), "{message}");
     for heights in [
