@@ -15,6 +15,7 @@
 //! error is small; the difference from `hold = "separation"` bounds it. Chapter "Rough surfaces" of the book.
 
 pub mod comparison;
+pub(crate) mod confidence;
 pub mod contacts;
 pub mod cutoff;
 mod hottest;

@@ -1,6 +1,7 @@
 //! Nonlinear least squares of a form, after Levenberg and Marquardt.
 
 use super::{Form, NoFit, RateLaw};
+use crate::friction::confidence::student_t;
 use nalgebra::{DMatrix, DVector};
 use tables::law::Estimate;
 
@@ -217,20 +218,6 @@ fn spread(form: &Form, curve: &Curve, whole: Parameters, others: &[Parameters]) 
         }
     }
     spread
-}
-
-/// Probability outside an interval.
-pub(crate) const OUTSIDE: f64 = 0.05;
-
-/// Student's t that is exceeded in magnitude with a probability of 5 %: I_x(ν/2, 1/2) = 0.05 at x = ν/(ν + t²), I the
-/// regularised incomplete beta function (Abramowitz & Stegun, Handbook of Mathematical Functions, 26.7.1). NaN below one
-/// degree of freedom ν.
-pub(crate) fn student_t(freedom: f64) -> f64 {
-    if freedom < 1.0 {
-        return f64::NAN;
-    }
-    let x = puruspe::invbetai(OUTSIDE, 0.5 * freedom, 0.5);
-    (freedom * (1.0 - x) / x).sqrt()
 }
 
 /// The law of the least of the `minima` with its errors; none where its Jacobian has no full rank.

@@ -14,7 +14,6 @@ mod least_squares;
 mod tests;
 
 use least_squares::{Curve, minimise};
-pub(crate) use least_squares::{OUTSIDE, student_t};
 use tables::law::Estimate;
 
 /// A form of rate dependence, μ_∞ + (μ_0 − μ_∞)/(1 + (V/V*)^n)^m.
