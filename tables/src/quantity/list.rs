@@ -62,10 +62,10 @@ quantities! {
     AreaPress: scalar("area_press", "m2", "real contact area at the end of the press", AREA, Limit::Area).history(Stored::Press, "last value").of_press();
     /// a₀.
     ContactRadius: scalar("contact_radius", "m", "contact radius at the end of the press", LENGTH, Limit::ContactRadius).of_press();
-    /// G.
-    EnergyRelease: scalar("G", "J m-2", "energy released from full stick to full slip per contact area", ELASTIC_SLIP_ENERGY, Limit::EnergyRelease);
-    /// G_weakening: from the peak of Q/A to its end value.
-    EnergyWeakening: scalar("G_weakening", "J m-2", "energy of slip weakening per contact area", ENERGY_PER_AREA, Limit::Weakening);
+    /// (W − ΔU)/A.
+    EnergyRelease: scalar("G", "J m-2", "energy released from full stick to full slip: work of the flat less the change of the elastic energy up to sliding inception, per contact area at inception", ELASTIC_SLIP_ENERGY, Limit::EnergyRelease);
+    /// ∫(τ̄ − τ̄_end) ds of τ̄ = Q/A.
+    EnergyWeakening: scalar("G_weakening", "J m-2", "energy of slip weakening from the peak of Q/A to the end of the slide, per contact area", ENERGY_PER_AREA, Limit::Weakening);
     /// Of the whole slide.
     TemperatureMax: scalar("temperature_max", "K", "highest temperature of the contact", NUMBER, Limit::TemperatureRise).history(Stored::RunAndTable, "highest of the slide");
     /// At the end of the slide.
