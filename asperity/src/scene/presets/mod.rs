@@ -161,19 +161,30 @@ fn parse(name: &'static str, text: &str) -> Result<Preset, toml::de::Error> {
                 for (member, value) in members {
                     match value {
                         Value::String(law) => laws.push((key.clone(), law)),
-                        value => {
-                            constants.push(Constant { key: format!("{key}.{member}"), ..value.try_into()? })
-                        }
+                        value => constants.push(constant(format!("{key}.{member}"), value)?),
                     }
                 }
             }
-            value => constants.push(Constant { key, ..value.try_into()? }),
+            value => constants.push(constant(key, value)?),
         }
     }
     constants.sort_by_key(|constant| {
         REQUIRED.iter().position(|key| constant.key == *key).unwrap_or(REQUIRED.len())
     });
     Ok(Preset { name, title, checked, constants, laws })
+}
+
+/// A constant of a material file. A property over temperature has the keys `temperature` and `value` of a scene file, beside
+/// its unit and source.
+fn constant(key: String, mut entry: Value) -> Result<Constant, toml::de::Error> {
+    if let Value::Table(members) = &mut entry
+        && let Some(temperature) = members.remove("temperature")
+    {
+        let mut points = Table::from_iter([("temperature".to_owned(), temperature)]);
+        points.extend(members.remove("value").map(|value| ("value".to_owned(), value)));
+        members.insert("value".to_owned(), Value::Table(points));
+    }
+    Ok(Constant { key, ..entry.try_into()? })
 }
 
 #[cfg(test)]
