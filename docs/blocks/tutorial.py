@@ -10,7 +10,7 @@ from .common import ROOT, block, program
 
 CHARACTERIZE = "characterize lapped-face.txt --pixel 2um --unit um -o face.toml"
 PREDICT = "predict face.toml --table steel-4340 --contact-life steady --pressure 1e6 --slip-rate 0.1..10:5 -o friction.nc"
-SAMPLE = "sample face.toml --table steel-4340 --contact-life steady --asperities 20000 --seed 1 -o samples.nc"
+SAMPLE = "sample face.toml --table steel-4340 --contact-life steady --asperities 20000 --seed 1 -o mc.nc"
 CUTOFF = (
     "predict lapped-face.txt --pixel 2um --unit um --material steel-4340 --contact-life steady --pressure 1e6 --slip-rate 1"
     " -o cutoff.nc"

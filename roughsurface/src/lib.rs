@@ -10,7 +10,7 @@
 //!
 //! | room | contents |
 //! |---|---|
-//! | [`output`] | friction.nc, file of samples, summary, JSON, report, figures |
+//! | [`output`] | friction.nc, mc.nc, summary, JSON, report, figures |
 //! | [`sampling`] | finite surfaces, uncertain parameters |
 //! | [`friction`] | friction–slip curve, static friction, rate dependence, closed forms, regimes |
 //! | [`integral`] | integrals over heights and radii, separation |

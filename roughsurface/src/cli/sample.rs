@@ -38,7 +38,7 @@ pub struct Sample {
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, value_parser = slip_length)]
     slip: Option<f64>,
     /// Result (netCDF)
-    #[arg(short, long, value_name = "samples.nc", value_parser = PathBufValueParser::new().try_map(netcdf_name))]
+    #[arg(short, long, value_name = "mc.nc", value_parser = PathBufValueParser::new().try_map(netcdf_name))]
     output: PathBuf,
     #[command(flatten)]
     run: RunOptions,

@@ -1,4 +1,4 @@
-//! The one list of results: friction.nc, the file of samples, summary, JSON, report and figures loop over it.
+//! The one list of results: friction.nc, mc.nc, summary, JSON, report and figures loop over it.
 
 use crate::friction::result::Friction;
 use crate::friction::slip_curve::SlipState;

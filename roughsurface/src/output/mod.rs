@@ -1,4 +1,4 @@
-//! Results as files, text and figures: friction.nc, the file of samples, figures, the HTML report, the
+//! Results as files, text and figures: friction.nc, mc.nc, figures, the HTML report, the
 //! summary as text and JSON. All loop over [`QUANTITIES`](crate::friction::quantities::QUANTITIES).
 //! Computes no results. Depends on `sampling` and `friction`. Chapters "Friction: friction.nc" and "Other files" of the
 //! book.

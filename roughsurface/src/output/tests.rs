@@ -95,7 +95,7 @@ fn every_surface_and_its_statistics_are_written() {
     let sampling = Sampling { asperities: 100, realizations: 20, seed: u64::MAX, slip: Some(1e-3) };
     let samples = sample(&law, &file.surface, &file.query, &sampling, &settings, &|_, _| ()).unwrap();
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("samples.nc");
+    let path = folder.path().join("mc.nc");
     sample_file::write(&path, &samples, &ORIGIN).unwrap();
     let read = DatasetReader::open(&path).unwrap();
     assert_eq!(read.reals("mu", &[2, 1, 20]).unwrap()[21], samples.states[1][1].state.mu.value);

@@ -214,8 +214,8 @@ class Samples(_Predicted):
 
     @cached_property
     def dataset(self) -> "xarray.Dataset":
-        """The content of the file of samples: ``mu`` and others over (``pressure``, ``slip_rate``, ``realization``), with
-        their statistics. Needs xarray."""
+        """The content of ``mc.nc``, the file of ``roughsurface sample``: ``mu`` and others over (``pressure``, ``slip_rate``,
+        ``realization``), with their statistics. Needs xarray."""
         return dataset(self.save)
 
 
