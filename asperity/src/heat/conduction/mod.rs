@@ -25,13 +25,13 @@ use crate::heat::counterface::HalfSpace;
 use crate::heat::properties::ThermalProperties;
 use crate::solver::harmonic::{FactorError, FieldKind, HarmonicPattern};
 use contact_iteration::ContactIteration;
-use facing::{ContactDisc, Facing};
+use counterface_step::{ContactDisc, CounterfaceStep};
 use kirchhoff::Kirchhoff;
 use step::{HeatState, Integrated, Step, StepMatrix};
 use sublayers::Sublayers;
 
 mod contact_iteration;
-mod facing;
+mod counterface_step;
 mod kirchhoff;
 mod step;
 pub mod sublayers;
@@ -90,7 +90,7 @@ pub struct HeatBalance {
 struct Tried {
     dt: f64,
     stages: [HeatState; 2],
-    /// Jacobian of the balance with a conducting counterface, see [`Facing`].
+    /// Jacobian of the balance with a conducting counterface, see [`CounterfaceStep`].
     jacobian: Option<Matrix3<f64>>,
 }
 
@@ -223,13 +223,14 @@ impl Conduction {
         let matrix = self.step_matrix(dt)?;
         let body = &self.sublayers.spread(body)[..];
         let tried = self.tried.take().filter(|tried| tried.dt == dt);
-        let facing = self.counterface.as_ref().map(|half_space| {
+        let counterface = self.counterface.as_ref().map(|half_space| {
             let disc = self.contact_disc(|point| heat.area(point));
             let known = tried.as_ref().and_then(|tried| tried.jacobian);
             // κ = 1: the effusivity is the capacity.
-            Facing::new(half_space, disc, (self.capacity, known), (dt, heat.slip()))
+            CounterfaceStep::new(half_space, disc, (self.capacity, known), (dt, heat.slip()))
         });
-        let step = Step { conduction: self, matrix: &matrix, dt, body, heat, facing: facing.as_ref() };
+        let step =
+            Step { conduction: self, matrix: &matrix, dt, body, heat, counterface: counterface.as_ref() };
         let solved = match &self.varying {
             Some(varying) => step.integrate(&mut &*varying, tried.as_ref().map(|tried| &tried.stages)),
             None => match step.integrate(&mut ContactIteration::default(), None) {
@@ -243,7 +244,8 @@ impl Conduction {
         };
         let Integrated { stages, balance, fluxes } = solved?;
         let rise = stages[1].rise.clone();
-        let (response, jacobian) = facing.map(|facing| (facing.response, facing.jacobian.get())).unzip();
+        let (response, jacobian) =
+            counterface.map(|counterface| (counterface.response, counterface.jacobian.get())).unzip();
         self.tried = Some(Tried { dt, stages, jacobian });
         if let Some((half_space, response)) = self.counterface.as_mut().zip(response) {
             half_space.try_fluxes(response, fluxes);

@@ -3,7 +3,7 @@
 use faer::linalg::solvers::{Llt, SolveCore};
 use faer::{Mat, MatMut, Side};
 
-use super::facing::{Drawn, Facing};
+use super::counterface_step::{CounterfaceStep, NetContactHeat};
 use super::{Conduction, ContactHeat, GAMMA, HeatBalance, HeatError};
 use crate::discretisation::collocation::Parity;
 use crate::heat::counterface::Profile;
@@ -48,7 +48,7 @@ pub(super) struct Step<'a> {
     pub(super) body: &'a [f64],
     pub(super) heat: &'a dyn ContactHeat,
     /// The counterface, if it conducts.
-    pub(super) facing: Option<&'a Facing<'a>>,
+    pub(super) counterface: Option<&'a CounterfaceStep<'a>>,
 }
 
 /// Temperatures at the nodes, as at the end of a stage.
@@ -119,8 +119,9 @@ impl Step<'_> {
 
         let weighted = |a: f64, b: f64| self.dt * ((1.0 - GAMMA) * a + GAMMA * b);
         let [(net_first, lost_first), (net_last, lost_last)] = [&first, &last].map(|stage| self.flows(stage));
-        let counterface =
-            self.facing.map_or(0.0, |facing| facing.disc.total * weighted(fluxes[0].x, fluxes[1].x));
+        let counterface = self
+            .counterface
+            .map_or(0.0, |counterface| counterface.disc.total * weighted(fluxes[0].x, fluxes[1].x));
         let balance = HeatBalance {
             contact: weighted(net_first + lost_first, net_last + lost_last) - counterface,
             counterface,
@@ -139,19 +140,19 @@ impl Step<'_> {
         stage: usize,
         fluxes: &mut [Profile; 2],
     ) -> Result<HeatState, HeatError> {
-        let Some(facing) = self.facing.filter(|facing| facing.disc.total > 0.0) else {
+        let Some(counterface) = self.counterface.filter(|counterface| counterface.disc.total > 0.0) else {
             return solver.solve(self, rhs, guess, 0.0);
         };
-        let (disc, resistance) = (&facing.disc, facing.resistance);
+        let (disc, resistance) = (&counterface.disc, counterface.resistance);
         let rise_of = |rise: &[f64], point: usize| rise[self.conduction.contact_indices[point]];
         let frictional = |rise: &[f64]| disc.profile(|point| self.heat.flow(point, rise_of(rise, point)).0);
         let at_start = frictional(&guess.rise);
         // Into the counterface if friction generated what it does at the start of the stage.
-        let mut flux = facing.expected[stage];
+        let mut flux = counterface.expected[stage];
         let mut before: Option<(Profile, Profile, HeatState)> = None;
         let (mut residual, mut largest) = (f64::INFINITY, f64::MIN_POSITIVE);
         for _ in 0..FLUX_ITERATIONS {
-            let heat = Drawn::new(self.heat, disc, flux, at_start);
+            let heat = NetContactHeat::new(self.heat, disc, flux, at_start);
             let start = before.as_ref().map_or(guess, |(.., stage)| stage);
             let step = Step { heat: &heat, ..*self };
             let solved = solver.solve(&step, rhs, start, REDUCTION)?;
@@ -159,8 +160,9 @@ impl Step<'_> {
             let generated = frictional(&solved.rise);
             let taken = heat.flux(generated);
             fluxes[stage] = taken;
-            let opposite = facing.rise(facing.response.free(stage, fluxes[0]) + facing.response.own * taken);
-            let released = facing.released * generated;
+            let opposite = counterface
+                .rise(counterface.response.free(stage, fluxes[0]) + counterface.response.own * taken);
+            let released = counterface.released * generated;
             let difference = rise - opposite - resistance * (taken - released);
             let terms = [rise, opposite, resistance * taken, resistance * released];
             largest = terms.iter().map(Profile::amax).fold(largest, f64::max);
@@ -173,10 +175,10 @@ impl Step<'_> {
                 };
             }
             if let Some((other, its_difference, _)) = before {
-                facing.learn(flux - other, difference - its_difference);
+                counterface.update_jacobian(flux - other, difference - its_difference);
             }
             before = Some((flux, difference, solved));
-            let change = facing.jacobian.get().try_inverse().map(|inverse| inverse * difference);
+            let change = counterface.jacobian.get().try_inverse().map(|inverse| inverse * difference);
             flux -= change.ok_or(HeatError::NotConverged { residual })?;
         }
         Err(HeatError::NotConverged { residual })

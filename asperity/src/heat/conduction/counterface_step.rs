@@ -20,8 +20,8 @@ use nalgebra::Matrix3;
 use super::ContactHeat;
 use crate::heat::counterface::{HalfSpace, Profile, StepResponse};
 
-/// The counterface in a step.
-pub(super) struct Facing<'a> {
+/// Heat balance with a conducting counterface in a step.
+pub(super) struct CounterfaceStep<'a> {
     half_space: &'a HalfSpace,
     pub(super) response: StepResponse,
     pub(super) disc: ContactDisc,
@@ -35,7 +35,7 @@ pub(super) struct Facing<'a> {
     pub(super) jacobian: Cell<Matrix3<f64>>,
 }
 
-impl<'a> Facing<'a> {
+impl<'a> CounterfaceStep<'a> {
     /// The counterface facing the contact in a step `dt` in which it moves by `slip`, of a body of effusivity `effusivity`,
     /// with the Jacobian `known` from a step of the same length.
     pub(super) fn new(
@@ -72,8 +72,8 @@ impl<'a> Facing<'a> {
         }
     }
 
-    /// Improves the Jacobian by the change of the difference with the flux.
-    pub(super) fn learn(&self, flux: Profile, difference: Profile) {
+    /// Broyden update of the Jacobian by the change `difference` of the balance with a change `flux`.
+    pub(super) fn update_jacobian(&self, flux: Profile, difference: Profile) {
         let known = self.jacobian.get();
         let better = known + (difference - known * flux) * flux.transpose() / flux.norm_squared();
         if better.trace() < 0.0 && better.determinant() < 0.0 {
@@ -161,8 +161,8 @@ impl ContactDisc {
     }
 }
 
-/// Heat flow at the contact less that into the counterface.
-pub(super) struct Drawn<'a> {
+/// Net heat flow into the asperity at the contact: that of friction and of the gap, less that into the counterface.
+pub(super) struct NetContactHeat<'a> {
     heat: &'a dyn ContactHeat,
     disc: &'a ContactDisc,
     /// Share of the frictional heat that the counterface takes up at each point.
@@ -171,8 +171,8 @@ pub(super) struct Drawn<'a> {
     smooth: Profile,
 }
 
-impl<'a> Drawn<'a> {
-    /// Heat flow at the contact with the flux `flux` into the counterface while friction generates `frictional`.
+impl<'a> NetContactHeat<'a> {
+    /// Net heat flow at the contact with the flux `flux` into the counterface while friction generates `frictional`.
     pub(super) fn new(
         heat: &'a dyn ContactHeat,
         disc: &'a ContactDisc,
@@ -189,7 +189,7 @@ impl<'a> Drawn<'a> {
     }
 }
 
-impl ContactHeat for Drawn<'_> {
+impl ContactHeat for NetContactHeat<'_> {
     fn flow(&self, point: usize, rise: f64) -> (f64, f64) {
         let (flow, slope) = self.heat.flow(point, rise);
         let left = 1.0 - self.share;
