@@ -177,9 +177,8 @@ fn what_cannot_be_exported_is_refused() {
     folder.refused("export table.nc -o friction.csv", "not a result of `roughsurface predict`");
     folder.run_well("predict surface.toml --table table.nc --separation 1e-7 -o separations.nc --quiet");
     folder.refused("export separations.nc -o friction.csv", "query.pressure");
-    folder.run_well(
-        "sample surface.toml --table table.nc --asperities 1000 --realizations 2 -o mc.nc --quiet",
-    );
+    folder
+        .run_well("sample surface.toml --table table.nc --asperities 1000 --realizations 2 -o mc.nc --quiet");
     folder.refused("export mc.nc -o friction.csv", "a result of `sample`");
     folder.run_well("predict surface.toml --table table.nc --slip-rate 1 -o one.nc --quiet");
     folder.refused(

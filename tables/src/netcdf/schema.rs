@@ -2,7 +2,8 @@
 //!
 //! The checksum is the SHA-256 of all that a reader relies on: coordinates, numbers with their
 //! errors, histories, states, warnings, and the constants and the request that they hold for.
-//! Title, history, comment and the shear fracture energy are left out, so that other tools may change them.
+//! Title, history, comment and the shear fracture energy with the ratio to it are not covered: other programs may change
+//! them.
 
 use sha2::{Digest, Sha256};
 
@@ -13,10 +14,11 @@ use crate::table::{Cell, Metadata, Slice, Status, Table};
 /// Kind of file, in the attribute `schema`.
 pub const SCHEMA: &str = "asperity-table";
 
-/// To be raised with every change that would make an older program misread a table.
+/// Version of the schema of a table of one initial temperature. A change by which a program for this version would misread
+/// tables needs a new number.
 pub const SCHEMA_VERSION: i32 = 1;
 
-/// The same of a table of several initial temperatures.
+/// Version of the schema of a table of several initial temperatures.
 pub const TEMPERATURES_VERSION: i32 = 2;
 
 const CHECKSUM: &str = "checksum";
@@ -34,7 +36,8 @@ fn version(slices: &[Slice]) -> i32 {
     if slices.len() > 1 { TEMPERATURES_VERSION } else { SCHEMA_VERSION }
 }
 
-/// Of one slice its own; of several that of their checksums, which cover their temperatures.
+/// Checksum of a table: of one slice that of the slice, of several that of the checksums of the slices, which cover their
+/// temperatures.
 fn checksum(slices: &[Slice]) -> String {
     if let [only] = slices {
         return only.checksum();
@@ -46,7 +49,6 @@ fn checksum(slices: &[Slice]) -> String {
 
 /// Refuses files that are no tables, or tables of another version; whether it has a dimension `temperature`.
 pub(super) fn has_temperatures(file: &DatasetReader) -> Result<bool, DatasetError> {
-    let again = "make it anew with `asperity tabulate`";
     match file.optional_text("schema")?.as_deref() {
         Some(SCHEMA) => {}
         Some(other) => {
@@ -54,11 +56,9 @@ pub(super) fn has_temperatures(file: &DatasetReader) -> Result<bool, DatasetErro
             return Err(file.content(what));
         }
         None => {
-            let what = format!(
-                "is not a table: global attribute \"schema\" is missing (a table is written by `asperity tabulate`, not by \
-                 `asperity run`; if it was written before schema version 1, {again})"
-            );
-            return Err(file.content(what));
+            let what = "is not a table: global attribute \"schema\" is missing (a table is written by `asperity tabulate`, not \
+                        by `asperity run`)";
+            return Err(file.content(what.to_owned()));
         }
     }
     let version = file.attribute_real("schema_version")?;
@@ -66,7 +66,7 @@ pub(super) fn has_temperatures(file: &DatasetReader) -> Result<bool, DatasetErro
     if !known.contains(&version) {
         let what = format!(
             "is a table of schema version {version}, this program reads versions {SCHEMA_VERSION} and \
-             {TEMPERATURES_VERSION}; {again}"
+             {TEMPERATURES_VERSION}; make it anew with `asperity tabulate`"
         );
         return Err(file.content(what));
     }
@@ -87,14 +87,13 @@ pub(super) fn check_content(file: &DatasetReader, slices: &[Slice]) -> Result<()
 }
 
 impl Slice {
-    /// Whether the table has a scalar. Those of the first minor version of the schema are always there; one
-    /// that came later only if it is known in any cell: older files lack it.
+    /// Whether the file of the table has a scalar: an optional scalar is left out where it is known in no cell.
     pub fn holds(&self, quantity: Quantity) -> bool {
         let known = |(i, j)| self.cell(i, j).is_some_and(|cell| !cell[quantity].value.is_nan());
         !quantity.descriptor().optional || self.grid().any(known)
     }
 
-    /// Of all that a reader relies on, as in the attribute `checksum`.
+    /// Checksum of all of the slice that a reader relies on.
     pub fn checksum(&self) -> String {
         let mut content = Content(Sha256::new());
         content.metadata(self.metadata());
@@ -118,7 +117,7 @@ impl Slice {
 }
 
 impl Table {
-    /// Of all that a reader relies on, as in the attribute `checksum`.
+    /// Checksum of all of the table that a reader relies on, as in the attribute `checksum`.
     pub fn checksum(&self) -> String {
         checksum(self.slices())
     }
@@ -157,7 +156,7 @@ impl Content {
         for text in [&metadata.source, &metadata.fingerprint, &metadata.shard, &metadata.scene] {
             self.text(text);
         }
-        // Tables of a rigid and isothermal counterface have the checksum that they had before it was stated.
+        // No text states a rigid and isothermal counterface.
         if !metadata.counterface.is_empty() {
             self.text(&metadata.counterface);
         }
@@ -174,7 +173,7 @@ impl Content {
             metadata.gap_conductance,
             optional(metadata.interpolation_tolerance),
         ]);
-        // Files without a film or a rate law keep their checksum.
+        // Film and rate law are covered where there is one.
         if metadata.film_strength.is_some() {
             self.reals(&[optional(metadata.film_strength), optional(metadata.pressure_coefficient)]);
         }

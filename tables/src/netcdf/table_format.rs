@@ -38,7 +38,8 @@ pub(super) const OVER_TEMPERATURE: [(RealAttribute, &str, &str); 3] = [
 const FILM_STRENGTH: OptionalAttribute = ("film_strength", |m| &mut m.film_strength);
 const PRESSURE_COEFFICIENT: OptionalAttribute = ("pressure_coefficient", |m| &mut m.pressure_coefficient);
 
-/// The same of a film or of Coulomb's law; older files lack them as variables.
+/// Numbers of a film or of Coulomb's law that change with the initial temperature. A file of several temperatures may lack
+/// them as variables. Attribute, unit, meaning.
 pub(super) const FILM_OVER_TEMPERATURE: [(OptionalAttribute, &str, &str); 2] = [
     (FILM_STRENGTH, "Pa", "limit of the shear traction without pressure at the initial temperature"),
     (PRESSURE_COEFFICIENT, "1", "growth of that limit with the pressure at the initial temperature"),
