@@ -55,7 +55,7 @@
 //!
 //! Not modelled: merging of contacts, interaction of asperities beyond their mean pressure, adhesion.
 
-/// Of the warnings that match a pattern, for tests: an iterator over what is written behind it.
+/// For tests: an iterator over the warnings that match a pattern, with the value of the expression behind it.
 #[cfg(test)]
 macro_rules! matching {
     ($warnings:expr, $pattern:pat => $value:expr) => {

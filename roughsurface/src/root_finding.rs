@@ -56,7 +56,7 @@ pub(crate) fn root_between<E>(
     }
 }
 
-/// The same of a function that cannot fail.
+/// Root of a function that cannot fail, between `from` and `to`, see [`root_between`].
 pub(crate) fn root_of(
     from: f64,
     to: f64,

@@ -27,7 +27,7 @@ pub struct Response {
 }
 
 impl Response {
-    /// With errors of `load` and `friction` that are independent: those of Q/P add up.
+    /// A response with errors of `load` and `friction` that are independent, so that the relative error of Q/P is their sum.
     pub fn new(load: Estimate, friction: Estimate, area: Estimate, temperature_max: Estimate) -> Self {
         let relative = |estimate: Estimate| match estimate.error {
             0.0 => 0.0,

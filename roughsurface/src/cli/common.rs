@@ -51,7 +51,8 @@ pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Fa
         .map_err(Failure::input)
 }
 
-/// The same of results, which are no surface files.
+/// Refuses outputs that cannot be written, and those that are an input or another output, where the inputs are results and
+/// no surface files.
 pub fn check_results(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
     let outputs = given(outputs);
     netcdf::check_results(inputs, &outputs)

@@ -80,7 +80,7 @@ fn shipped_material(text: &str) -> Result<String, String> {
 }
 
 impl QueryOptions {
-    /// Those of the options, after those of `--set`; `others` are of options that one command alone has.
+    /// Overrides of the options, after those of `--set`; `others` are of options that one command alone has.
     fn overrides(&self, others: Vec<Override>) -> Result<Vec<Override>, Failure> {
         let Self { pressure, separation, slip_rate, .. } = self;
         let mut overrides = query_values(pressure.as_ref(), separation.as_ref(), slip_rate.as_ref());

@@ -15,7 +15,7 @@ use tables::numbers::digits;
 pub struct Comparison {
     /// One of [`tables::closed_forms::NAMES`].
     pub model: String,
-    /// In words.
+    /// Description of the model in words.
     pub description: &'static str,
     /// ω/ω_c at which its formulae end.
     pub limit: f64,

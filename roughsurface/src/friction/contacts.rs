@@ -38,7 +38,7 @@ pub struct Contacts {
 }
 
 impl Contacts {
-    /// Those of `asperities` under a flat at `separation` (m), by integrals to a relative `tolerance`; the law has results
+    /// Contacts of `asperities` under a flat at `separation` (m), by integrals to a relative `tolerance`; the law has results
     /// from the interference `law_start` (ω/ω_c) on.
     pub(crate) fn of<'a>(
         asperities: &Asperities<'a>,

@@ -17,7 +17,7 @@ pub struct AtCutoff {
     pub asperity_radius: f64,
     /// Standard deviation of their heights, m.
     pub heights_std: f64,
-    /// By row (pressure or separation) and slip rate, as in [`Prediction`]; none at slip rates that the law does not have at
+    /// Results by row (pressure or separation) and slip rate, as in [`Prediction`]; none at slip rates that the law does not have at
     /// these radii, as other ones than at the cut-off of the prediction. A row may be refused alone.
     pub friction: Vec<Result<Vec<Option<Friction>>, PredictionError>>,
 }

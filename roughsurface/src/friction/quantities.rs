@@ -14,13 +14,13 @@ pub struct SurfaceQuantity {
     pub unit: &'static str,
     /// Meaning in words.
     pub long_name: &'static str,
-    /// Where it is found.
+    /// How it is found in the results of a cell.
     pub source: Source,
     /// Whether uncertain parameters are propagated to it.
     pub propagated: bool,
 }
 
-/// Where a result is found.
+/// How a quantity is found in the results of a cell.
 pub enum Source {
     /// In the state while sliding.
     SteadySliding(fn(&SlipState) -> Estimate),

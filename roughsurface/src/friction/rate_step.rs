@@ -24,11 +24,11 @@ pub struct RateStepResponse {
 /// Friction of one pressure or separation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stepped {
-    /// In steady sliding before.
+    /// Friction coefficient in steady sliding before the step.
     pub before: Estimate,
-    /// In steady sliding after.
+    /// Friction coefficient in steady sliding after the step.
     pub after: Estimate,
-    /// At each slip since the step.
+    /// Friction coefficient at each slip since the step.
     pub mu: Vec<Estimate>,
 }
 

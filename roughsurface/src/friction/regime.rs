@@ -37,7 +37,7 @@ pub struct RegimeShares {
 }
 
 impl RegimeShares {
-    /// Of `asperities` under a flat at `separation` (m); `melting` is a temperature in kelvin.
+    /// Shares of the `asperities` under a flat at `separation` (m); `melting` is a temperature in kelvin.
     pub fn of(asperities: &Asperities, heights: &dyn Heights, separation: f64, melting: Option<f64>) -> Self {
         let (mut touching, mut yielded, mut molten) = (0.0, 0.0, 0.0);
         for (share, asperity) in &asperities.classes {

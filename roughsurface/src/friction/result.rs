@@ -25,9 +25,9 @@ pub struct Friction {
     /// Energy that the asperities release from full stick to full slip, J per m² of nominal area; none
     /// where the law does not state it.
     pub energy_release: Option<Estimate>,
-    /// Before the slide.
+    /// State before the slide.
     pub pressed: SlipState,
-    /// In steady sliding, with contacts of all ages of their life: sliding friction.
+    /// State in steady sliding, with contacts of all ages of their life: sliding friction.
     pub sliding: SlipState,
     /// Sliding friction coefficient of contacts that last.
     pub mu_steady: Estimate,
@@ -43,7 +43,7 @@ pub struct Friction {
 }
 
 impl Friction {
-    /// The same where the law does not know how sliding begins, nor friction after the slips of the first `known` states.
+    /// The result where the law does not state how sliding begins, nor friction after the slips of the first `known` states.
     pub(crate) fn without_inception(mut self, known: usize) -> Self {
         self.mu_history.iter_mut().skip(known).for_each(|mu| *mu = Estimate::UNKNOWN);
         let unknown = Estimate::UNKNOWN;

@@ -55,7 +55,8 @@ pub enum PredictionError {
     NoContact { loading: String },
 }
 
-/// Of every cell. In order: the failure that is reported does not depend on the threads.
+/// Results of all cells, computed in parallel, in the order of the cells: the failure that is reported does not depend on the
+/// threads.
 pub(crate) fn in_order<C: Sync, T: Send>(
     cells: &[C],
     of: impl Fn(&C) -> Result<T, PredictionError> + Sync,

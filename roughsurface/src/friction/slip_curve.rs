@@ -96,7 +96,7 @@ impl SlipState {
         }
     }
 
-    /// The same with unknown friction.
+    /// The state with unknown friction.
     pub fn without_friction(self) -> Self {
         Self { mu: Estimate::UNKNOWN, shear: Estimate::UNKNOWN, ..self }
     }
@@ -124,14 +124,14 @@ impl SlipState {
 /// Error of a separation that is held during the slide, m.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct HeldSeparation {
-    /// All of it.
+    /// The whole error.
     error: f64,
     /// The part that comes from the error of the law, which the loads of the slide have as well.
     law_error: f64,
 }
 
 impl HeldSeparation {
-    /// Of the separation at which the law has the `pressure` (Pa) before the slide.
+    /// Error of the separation at which the law has the `pressure` (Pa) before the slide.
     pub fn found(before: &EquilibriumState, pressure: f64) -> Self {
         let load = before.state.pressure;
         let slope = (before.sensitivity.pressure * load.value).abs();

@@ -205,7 +205,7 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// That contacts interact or merge, where that share of the nominal area is in contact.
+    /// The warning that contacts interact or merge, where that share of the nominal area is in contact.
     pub fn of_area(query: &Query, share: f64, at: impl Fn() -> Place) -> Option<Self> {
         if share > MERGING {
             return Some(Self::ContactsMerge { at: at(), share });
@@ -214,7 +214,7 @@ impl Warning {
         independent.then(|| Self::AsperitiesInteract { at: at(), share })
     }
 
-    /// That formulae of the `law` are used above their range, if these shares of the load are there.
+    /// The warning that formulae of the `law` are used above their range, if these shares of the load are there.
     pub fn beyond_formulae(law: &dyn AsperityLaw, outside: impl Iterator<Item = f64>) -> Option<Self> {
         let without_friction = match law.above_range() {
             AboveRange::Extrapolated => return None,

@@ -29,11 +29,11 @@ pub enum Additional {
 /// How far the contacts have slid.
 #[derive(Clone)]
 enum Age<'a> {
-    /// All by the same slip, m.
+    /// All contacts have slid by the same slip, m.
     Slip(f64),
-    /// Each by any slip of its life, equally likely.
+    /// Each contact has slid by any slip of its life, equally likely.
     Life(ContactLife),
-    /// Likewise with a life in diameters, by `slip` (m) since a step of the slip rate.
+    /// Each contact has slid by any slip of its life in `diameters`, of which `slip` (m) since a step of the slip rate.
     SinceStep { step: Arc<RateStep<'a>>, diameters: f64, slip: f64 },
 }
 
@@ -86,7 +86,7 @@ impl<'a> AsperityAtSlip<'a> {
         Ok(Self { age: Age::SinceStep { step, diameters, slip: 0.0 }, ..self.clone() })
     }
 
-    /// Those after another slip (m) since the step.
+    /// The same asperities after another slip (m) since the step of the slip rate.
     pub fn since_step(&self, since: f64) -> Self {
         let mut later = self.clone();
         if let Age::SinceStep { slip, .. } = &mut later.age {
@@ -258,7 +258,7 @@ impl<'a> AsperityAtSlip<'a> {
         Ok(Response { friction, coefficient_error: coefficient_error + relative, ..last })
     }
 
-    /// The same of the slip `since` (m) a step of the slip rate: contacts born after the step, and before it.
+    /// Mean response over the ages of the contacts at the slip `since` (m) after a step of the slip rate: contacts born after the step, and before it.
     fn mean_since_step(
         &self,
         step: &RateStep,

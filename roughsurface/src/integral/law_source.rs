@@ -63,7 +63,7 @@ pub struct LawSource {
     pub missing_cells: Vec<String>,
     /// Interface of a table that is not as strong as the metal, by its key and value.
     pub other_interface: Option<String>,
-    /// Of a table.
+    /// Counterface of a table.
     counterface: Option<Counterface>,
 }
 
@@ -221,7 +221,7 @@ fn number(scene: &toml::Table, path: &[&str], temperature: f64) -> Option<f64> {
     is_curve.then(|| interpolate(&at, &values, temperature).0)
 }
 
-/// From which on the metal of a scene has no strength.
+/// Temperature (K) from which on the metal of a scene has no strength.
 fn melting_temperature(scene: &toml::Table) -> Option<f64> {
     let softening = scene.get("material")?.get("softening")?;
     let last = |key: &str| softening.get(key)?.as_array()?.last()?.as_float();
@@ -229,7 +229,7 @@ fn melting_temperature(scene: &toml::Table) -> Option<f64> {
     softening.get("melting").and_then(toml::Value::as_float).or_else(of_table)
 }
 
-/// The smaller one of asperity and counterface.
+/// The smaller one of the effusivities of asperity and counterface.
 fn effusivity(scene: &toml::Table, temperature: f64) -> Option<f64> {
     let of = |body: &str| {
         let constants = ["thermal_conductivity", "density", "specific_heat"]
@@ -239,7 +239,8 @@ fn effusivity(scene: &toml::Table, temperature: f64) -> Option<f64> {
     of("material").into_iter().chain(of("counterface")).reduce(f64::min)
 }
 
-/// Of the asperity of a scene; `combined` has the modulus of the elastic counterface as well, which is displaced too.
+/// Time of sliding inception of the asperity of a scene over that of a shear wave; `combined` has the modulus of the elastic
+/// counterface as well, which is displaced too.
 fn inception_time(scene: &toml::Table, combined: &ElasticPlastic, temperature: f64) -> Option<f64> {
     let [youngs, density] =
         ["youngs_modulus", "density"].map(|key| number(scene, &["material", key], temperature));

@@ -6,7 +6,7 @@ use tables::law::{LookupError, Response};
 /// The mean, while it is added up.
 #[derive(Default)]
 pub(super) struct MeanOverAges {
-    /// With the relative error of Q/P times Q.
+    /// Sum of the responses; in place of the relative error of Q/P that error times Q.
     sum: Response,
     /// Errors of the quadrature of load, friction and area, sums over the ranges of ages.
     quadrature_errors: [f64; 3],

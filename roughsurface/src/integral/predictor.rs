@@ -14,7 +14,7 @@ pub struct Sensitivity {
 }
 
 impl Sensitivity {
-    /// From a state and another one `step` (m) farther from the surface.
+    /// Sensitivity by the difference of a state and another one `step` (m) farther from the surface.
     pub(crate) fn between(state: &ContactState, farther: &ContactState, step: f64) -> Self {
         let relative = |quantity: fn(&ContactState) -> f64| {
             let (here, there) = (quantity(state), quantity(farther));
@@ -54,7 +54,7 @@ impl Sensitivity {
     }
 }
 
-/// Where the search for a separation starts.
+/// Start of the search for a separation.
 #[derive(Clone, Copy, Debug)]
 pub struct Predictor {
     /// m.
@@ -66,7 +66,7 @@ pub struct Predictor {
 }
 
 impl Predictor {
-    /// At `separation` (m), without a neighbouring state: in the tails of most distributions the pressure
+    /// A start at `separation` (m), without a neighbouring state: in the tails of most distributions the pressure
     /// falls by about e within a standard deviation.
     pub fn at(separation: f64, heights: &dyn Heights) -> Self {
         Self { separation, slope: -1.0 / heights.standard_deviation(), sensitivity: None }

@@ -56,7 +56,7 @@ impl EquilibriumState {
         Ok(Self { separation, state, sensitivity, own_sensitivity: true })
     }
 
-    /// Where the search for a neighbouring state starts.
+    /// Start of the search for a neighbouring state.
     pub fn predictor(&self) -> Predictor {
         let sensitivity = Some(self.sensitivity);
         Predictor { separation: self.separation, slope: self.sensitivity.pressure, sensitivity }
@@ -150,7 +150,7 @@ const MOST_STRIDES: usize = 200;
 /// Magnitude of ln p in place of that of a zero pressure.
 const NO_PRESSURE: f64 = 1e3;
 
-/// As [`separation_for`], by a bracket around `start` (m).
+/// Equilibrium at a `pressure` (Pa), by a bracket around `start` (m).
 fn bracketed(
     integral: &mut SurfaceIntegral,
     pressure: f64,

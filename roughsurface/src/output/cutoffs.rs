@@ -21,10 +21,10 @@ const SUMMITS: [Summit; 3] = [
     ("heights_std", "m", "standard deviation of the summit heights", |at| at.heights_std),
 ];
 
-/// In place of results at a slip rate that the table does not cover at the radius of another cut-off.
+/// Text in place of results at a slip rate that the table does not cover at the radius of another cut-off.
 const OUTSIDE: &str = "outside table";
 
-/// Of all cells, row by row; unknown where there are none.
+/// Values of a quantity in all cells, row by row; unknown where there are none.
 fn estimates(quantity: &SurfaceQuantity, at: &AtCutoff, rates: usize) -> Vec<Estimate> {
     let of =
         |cell: &Option<Friction>| cell.as_ref().map_or(Estimate::UNKNOWN, |cell| quantity.estimate(cell));

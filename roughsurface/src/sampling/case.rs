@@ -23,9 +23,9 @@ use tables::shipped;
 #[derive(Clone, Debug)]
 pub struct Results {
     pub prediction: Prediction,
-    /// The same surface with asperities after models of the literature.
+    /// Predictions of the same surface with asperities after models of the literature.
     pub comparisons: Vec<Comparison>,
-    /// The same topography with other cut-offs, by ascending cut-off; none for a surface file.
+    /// Predictions of the same topography with other cut-offs, by ascending cut-off; none for a surface file.
     pub cutoffs: Vec<AtCutoff>,
     /// Changes of the results with the uncertain parameters.
     pub propagated: Option<Propagated>,
@@ -166,7 +166,7 @@ impl Case {
         .collect()
     }
 
-    /// Of the radius at which the law is most uncertain, where that counts.
+    /// Warning of the strain rate at the radius at which the law is most uncertain, where that counts.
     fn strain_rate(&self) -> Option<Warning> {
         const COUNTS: f64 = 0.01;
         let classes = self.file.surface.asperity_radius.classes.iter();
@@ -175,7 +175,7 @@ impl Case {
         (share > COUNTS).then_some(Warning::StrainRate { radius, share })
     }
 
-    /// Of a shipped table without rate law, where that of the metal counts.
+    /// Warning of a shipped table without rate law, where the rate law of its metal changes static friction.
     fn strength_at_low_rates(&self) -> Option<Warning> {
         const COUNTS: f64 = 0.02;
         let names = shipped::without_and_with_rate_law(&self.table)?;

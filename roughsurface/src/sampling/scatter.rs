@@ -15,7 +15,7 @@ pub struct Scatter {
 }
 
 impl Scatter {
-    /// Of the values that are numbers; NaN throughout if there are none.
+    /// Mean and scatter of the values that are numbers; NaN throughout if there are none.
     ///
     /// The prediction interval ends at the order statistics of ranks 0.025 (n + 1) and 0.975 (n + 1), interpolated
     /// linearly, which hold 95 % for any continuous distribution. Fewer than 39 values have no such ranks: the interval
@@ -38,7 +38,7 @@ impl Scatter {
         Self { mean, mean_error: half_width / count.sqrt(), standard_deviation, lower, upper }
     }
 
-    /// The same of a quantity that is never negative.
+    /// The scatter of a quantity that is never negative: the prediction interval starts at 0 at the lowest.
     pub fn not_negative(self) -> Self {
         // An unknown bound stays unknown.
         let lower = if self.lower < 0.0 { 0.0 } else { self.lower };

@@ -74,7 +74,7 @@ pub enum LoadingControl {
 /// Slip over which a contact lasts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ContactLife {
-    /// In diameters of the contact: between two rough faces about one.
+    /// A life in diameters of the contact: between two rough faces about one.
     Diameters(f64),
     /// Against a smooth flat the summits stay in contact: until friction is steady.
     Steady,
@@ -158,7 +158,7 @@ pub struct Query {
 }
 
 impl Query {
-    /// With the default values of the other keys.
+    /// A query with the default values of the other keys.
     pub fn new(loading: NormalLoading, slip_rates: Vec<f64>) -> Self {
         Self {
             loading,

@@ -25,13 +25,13 @@ impl<T> ByRadius<T> {
         Self { classes, coarse: None }
     }
 
-    /// Something else for each radius.
+    /// The values of a function of each radius class.
     pub fn map<U>(&self, of: impl Fn(&T) -> U) -> ByRadius<U> {
         let Ok(mapped) = self.try_map(|one| Ok::<U, Infallible>(of(one)));
         mapped
     }
 
-    /// The same, if there is something else for each.
+    /// The values of a function of each radius class; an error if it fails for one.
     pub fn try_map<U, E>(&self, of: impl Fn(&T) -> Result<U, E>) -> Result<ByRadius<U>, E> {
         let all = |classes: &Vec<(f64, T)>| -> Result<Vec<(f64, U)>, E> {
             classes.iter().map(|(share, one)| Ok((*share, of(one)?))).collect()
@@ -115,13 +115,13 @@ impl Radii {
     }
 }
 
-/// By ascending radius.
+/// Classes (share, radius in m) by ascending radius.
 fn ascending(mut classes: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     classes.sort_by(|(_, one), (_, other)| one.total_cmp(other));
     classes
 }
 
-/// By ascending radius, with shares that sum to one and radii of the given mean (m).
+/// Classes (share, radius in m) by ascending radius, with shares that sum to one and radii of the given mean (m).
 fn normalised(classes: Vec<(f64, f64)>, mean: f64) -> Vec<(f64, f64)> {
     let classes = ascending(classes);
     let total: f64 = classes.iter().map(|(share, _)| share).sum();

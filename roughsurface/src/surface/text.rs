@@ -30,7 +30,7 @@ pub(crate) enum Commas {
 }
 
 impl Commas {
-    /// Of lines without their comments. Commas are decimal if no number has a point, each comma stands between two
+    /// Meaning of the commas in lines without their comments. Commas are decimal if no number has a point, each comma stands between two
     /// digits, and something else separates the numbers of a line.
     pub fn of<'a>(contents: impl Iterator<Item = &'a str>) -> Self {
         let mut commas = Self::Separators;

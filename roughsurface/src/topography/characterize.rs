@@ -104,7 +104,7 @@ impl Characterization {
         }
     }
 
-    /// The same with other cut-offs.
+    /// Summits with other cut-offs, of both faces together where there are two.
     pub fn summits_at_other_cutoffs(&self) -> Vec<SummitsAt> {
         let of_face = |at: &AtCutoff| SummitsAt { cutoff: at.cutoff, summits: at.summits };
         match &self.two_faces {
@@ -124,7 +124,7 @@ const FEW_SUMMITS: usize = 100;
 const SKEWED: f64 = 0.5;
 const HEAVY_TAILED: f64 = 1.0;
 
-/// Of positions and of cut-offs that are equal but for it.
+/// Relative rounding error within which positions and cut-offs are equal.
 const ROUNDING: f64 = 1e-6;
 
 /// Slope above which lengths may be in different units.

@@ -42,7 +42,7 @@ pub(super) struct Waves {
 }
 
 impl Waves {
-    /// Of the heights of `topography`, each times its `weight`.
+    /// Waves of the heights of `topography`, each times its `weight`.
     pub(super) fn of(topography: &Topography, weight: impl Fn(usize, usize) -> f64) -> Self {
         let (rows, columns) = (topography.rows, topography.columns);
         let weighted = |(place, height): (usize, &f64)| {

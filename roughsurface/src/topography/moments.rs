@@ -23,7 +23,7 @@ pub struct Moments {
     pub lay_angle: f64,
     /// Mean square curvatures across the lay and along it, 1/m²; of a profile, those of the isotropic surface.
     pub principal_curvatures: (f64, f64),
-    /// Of the isotropic surface that has the summits.
+    /// Moments of the isotropic surface that has the same summits.
     pub isotropic: Isotropic,
 }
 
@@ -40,7 +40,7 @@ pub struct Isotropic {
 }
 
 impl Moments {
-    /// Of a topography without trend after the filter of that `cutoff` (m).
+    /// Moments of a topography without trend after the filter of that `cutoff` (m).
     ///
     /// Of a map m2 = ⟨|∇z|²⟩/2 and m4 = 3⟨(∇²z)²⟩/8, the means over all directions. Slopes and curvatures are those
     /// of the filtered heights a cut-off away from the edges; without a window the topography continues at its
@@ -77,7 +77,7 @@ impl Moments {
         }
     }
 
-    /// Of the isotropic surface with the summits of the sum of two independent heights, whose lays are parallel, or
+    /// Moments of the isotropic surface with the summits of the sum of two independent heights, whose lays are parallel, or
     /// `crossed` at right angles: the mean squares of heights, slopes and curvatures add.
     pub(super) fn of_sum(&self, other: &Self, crossed: bool) -> Isotropic {
         let turned = |(across, along): (f64, f64)| if crossed { (along, across) } else { (across, along) };
@@ -100,7 +100,7 @@ impl Moments {
         self.isotropic.m4 + lost_to_lay(self.principal_curvatures)
     }
 
-    /// Those of the profile, and of the isotropic surface that has it after the filter over its area.
+    /// Moments of the profile, and of the isotropic surface that has it after the filter over its area.
     fn of_profile(topography: &Topography, window: Window, cutoff: f64, [m0, m2, m4]: [f64; 3]) -> Self {
         let mut isotropic = [m0, m2, m4];
         for (_, q, power) in window.waves(topography).powers() {
@@ -123,7 +123,7 @@ impl Moments {
 }
 
 impl Isotropic {
-    /// With the geometric means of the slopes and of the curvatures across a lay and along it; `m4` is 3⟨(∇²z)²⟩/8.
+    /// Moments of an isotropic surface with the geometric means of the slopes and of the curvatures across a lay and along it; `m4` is 3⟨(∇²z)²⟩/8.
     fn with_lay(m0: f64, slopes: (f64, f64), (m4, curvatures): (f64, (f64, f64))) -> Self {
         Self { m0, m2: (slopes.0 * slopes.1).sqrt(), m4: m4 - lost_to_lay(curvatures) }
     }

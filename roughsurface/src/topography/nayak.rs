@@ -23,7 +23,7 @@ pub struct Nayak {
 pub const SMALLEST_ALPHA: f64 = 1.5;
 
 impl Nayak {
-    /// Of a surface with those moments; none where they are not positive, which estimates from a profile can be, or where α
+    /// Summits of a surface with those moments; none where they are not positive, which estimates from a profile can be, or where α
     /// is too small for any distribution of summits.
     pub fn of(moments: &Isotropic) -> Option<Self> {
         let Isotropic { m0, m2, m4 } = *moments;

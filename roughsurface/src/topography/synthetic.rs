@@ -94,7 +94,7 @@ impl SelfAffine {
         self.with_noise(seed, 0.0)
     }
 
-    /// The same with white noise of that power a wave (m²) added.
+    /// A map with exactly that power in every wave, with white noise of the power `noise` a wave (m²) added.
     pub fn with_noise(&self, seed: u64, noise: f64) -> Topography {
         let n = self.points;
         let mut random = crate::surface::heights::Random::seed_from_u64(seed);

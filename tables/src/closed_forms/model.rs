@@ -133,7 +133,7 @@ pub fn closed_form(name: &str, material: &ElasticPlastic) -> Result<Box<dyn Aspe
 }
 
 impl ClosedForm {
-    /// As [`closed_form`], unboxed.
+    /// The closed form of that name with the constants of `material`.
     pub fn new(name: &str, material: &ElasticPlastic) -> Result<Self, UnknownClosedForm> {
         let unknown = || UnknownClosedForm { name: name.to_string() };
         let name = *NAMES.iter().find(|n| **n == name).ok_or_else(unknown)?;

@@ -25,7 +25,7 @@ pub struct GrossSlip {
 }
 
 impl ShearLimit {
-    /// The same limit everywhere, Pa.
+    /// A limit that does not depend on the pressure: `strength`, Pa.
     pub fn constant(strength: f64) -> Self {
         Self { film: strength, coefficient: 0.0, cap: f64::INFINITY }
     }

@@ -98,7 +98,7 @@ pub(super) struct Run {
     pub text: String,
     /// Size relative to the text.
     pub scale: f64,
-    /// Of the base line above that of the text, in sizes of the text.
+    /// Height of the base line above that of the text, in sizes of the text.
     pub rise: f64,
 }
 

@@ -11,7 +11,7 @@ pub struct Field {
     pub cells: Vec<Vec<[f64; 3]>>,
     /// Colours.
     pub colors: Colors,
-    /// Where something moves.
+    /// Arrow in the direction of a motion.
     pub arrow: Option<Arrow>,
 }
 
@@ -223,7 +223,7 @@ mod tests {
         assert_eq!(bands(1.0, 1.0), []);
     }
 
-    /// Of a polygon, positive whichever way its corners go round.
+    /// Area of a polygon, positive whichever way its corners go round.
     fn area(corners: impl Iterator<Item = Point>) -> f64 {
         let corners: Vec<Point> = corners.collect();
         let next = |n: usize| corners[(n + 1) % corners.len()];

@@ -40,9 +40,9 @@ pub struct Figure {
 /// One pair of axes with a field and curves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Panel {
-    /// By which it is chosen; several may have the same.
+    /// Name by which the panel is chosen; several may have the same.
     pub name: String,
-    /// Above the panel; may be empty.
+    /// Title above the panel; may be empty.
     pub title: String,
     /// Horizontal axis.
     pub x: Axis,
@@ -52,16 +52,16 @@ pub struct Panel {
     pub new_row: bool,
     /// Whether lengths are equal on both axes.
     pub equal: bool,
-    /// Below the curves.
+    /// Field below the curves.
     pub field: Option<Field>,
-    /// In the order of the legend.
+    /// Curves in the order of the legend.
     pub curves: Vec<Curve>,
 }
 
 /// Label, with the unit, and scale of an axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis {
-    /// With the unit; subscripts and superscripts as `_{...}` and `^{...}`.
+    /// Label with the unit; subscripts and superscripts as `_{...}` and `^{...}`.
     pub label: String,
     /// Whether logarithmic.
     pub log: bool,

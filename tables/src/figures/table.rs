@@ -46,7 +46,7 @@ fn positive(slip_rates: &[f64]) -> usize {
 
 /// What a panel shows.
 struct Shown {
-    /// Of the curves; the map adds [`MAP`].
+    /// Name of the panel with the curves; that of the map adds [`MAP`].
     name: &'static str,
     title: &'static str,
     label: &'static str,

@@ -80,7 +80,7 @@ impl ElasticSphere {
         })
     }
 
-    /// The same at ω/ω_c.
+    /// Λ, the factor of [`growth`](Self::growth), at a slip rate (m/s) and ω/ω_c.
     pub(super) fn growth_at(&self, slip_rate: f64, interference: f64) -> f64 {
         self.growth(slip_rate, self.contact_radius(interference))
     }
@@ -207,7 +207,7 @@ pub(super) fn extrapolated(elastic: f64, elastic_at_row: f64, row: f64, weight: 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HeatRatio {
     pub(super) first_row: f64,
-    /// Of ω in its excess over 1.
+    /// Exponent of ω in the excess of the ratio over 1.
     exponent: f64,
 }
 
@@ -220,7 +220,7 @@ impl HeatRatio {
         if first_row.is_finite() && first_row > 0.0 { Self { first_row, exponent: 0.0 } } else { Self::NONE }
     }
 
-    /// With the exponent from the first row to the second, whose ω is larger by `log_ratio` in its logarithm.
+    /// An excess that is a power of ω, with the exponent from the first row to the second, whose ω is larger by `log_ratio` in its logarithm.
     pub(super) fn power(
         [value, slowest]: [f64; 2],
         [second, second_slowest]: [f64; 2],

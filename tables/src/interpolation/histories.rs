@@ -27,11 +27,11 @@ pub(super) const COEFFICIENT: usize = FIELDS;
 /// Relative errors of each [`Field`] and of Q/P, in which errors of Q and P of the same sign cancel.
 pub(super) type Errors = [f64; FIELDS + 1];
 
-/// The last has no history of its own.
+/// Quantity of each [`Field`] and of Q/P. The last has no history of its own.
 const QUANTITIES: [Quantity; FIELDS + 1] =
     [Quantity::Load, Quantity::Friction, Quantity::Area, Quantity::TemperatureMax, Quantity::Mu];
 
-/// The same up to sliding inception.
+/// Scalars up to sliding inception in place of [`QUANTITIES`], in the same order.
 const BEFORE_SLIDING: [Quantity; FIELDS + 1] = [
     Quantity::LoadPress,
     Quantity::FrictionStatic,

@@ -51,7 +51,7 @@ fn continued(earlier: &Values, last: &Values, farther: f64) -> Errors {
     })
 }
 
-/// Where an interference is among the rows.
+/// Position of an interference among the rows.
 pub(super) enum Place {
     Below(BelowFirstRow),
     Inside(Location),
@@ -108,7 +108,7 @@ impl Interpolant {
         error
     }
 
-    /// Of a temperature rise in row `i` below the first positive slip rate; none elsewhere, and where there is no friction or no
+    /// Growth of a temperature rise in row `i` below the first positive slip rate; none elsewhere, and where there is no friction or no
     /// rise. `of` gives rise and friction force in a row at a slip rate, by their numbers.
     pub(super) fn growth_of_rise(
         &self,
@@ -191,7 +191,7 @@ impl Interpolant {
         Ok((values, error))
     }
 
-    /// The same at a slip of `ratio` contact radii, as the histories have it.
+    /// State at a slip of `ratio` contact radii, as the histories have it, with its relative errors.
     fn state_at(
         &self,
         (first, last): (usize, usize),
@@ -253,7 +253,7 @@ impl Interpolant {
         }
     }
 
-    /// Where an interference is, between `rows` with results.
+    /// Position of an interference below, between or above the `rows` with results.
     pub(super) fn place(&self, (first, last): (usize, usize), log_interference: f64) -> Place {
         let rows = &self.log_interference;
         if log_interference < rows[first] {
@@ -270,7 +270,7 @@ impl Interpolant {
         Place::Above(AboveLastRow { contact_growth: growth / self.sphere.radius, ..above })
     }
 
-    /// The same; absent beyond rows at the edge of the table that have no results: a table is extrapolated from its first and
+    /// Position of an interference as by [`place`](Self::place); absent beyond rows at the edge of the table that have no results: a table is extrapolated from its first and
     /// last row.
     pub(super) fn place_with_results(
         &self,
@@ -326,7 +326,7 @@ impl Interpolant {
         (end < self.log_end).then(|| end.exp())
     }
 
-    /// The same at one slip rate, as an interpolant with a single column.
+    /// The interpolant at one slip rate, with a single column.
     pub(super) fn at_rate(&self, rate: Location) -> Self {
         Self {
             log_interference: self.log_interference.clone(),

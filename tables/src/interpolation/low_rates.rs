@@ -24,7 +24,7 @@ pub(super) struct Growth {
     pub(super) bend: f64,
 }
 
-/// Of the rise in row `i` at V = tV₁; none where there is no friction or no rise, and where neither this nor a row before, from
+/// Growth of the rise in row `i` at V = tV₁; none where there is no friction or no rise, and where neither this nor a row before, from
 /// `first` on, has n₀. `specific` gives n in a row at one of the `slip_rates`, of which the first is 0.
 pub(super) fn growth_of_rise(
     t: f64,
@@ -61,7 +61,7 @@ fn growth(t: f64, at_first: f64, at_rest: [f64; 2]) -> Growth {
     Growth { factor, bend: apart.abs() + (factor - 1.0).abs() }
 }
 
-/// The same law over its value at V₁, at V = tV₁, for anything that is 0 at rest: V₂ = `rates` V₁ with the value `values` times
+/// Ratio of the values at V = tV₁ and at V₁ by the law of this module, of a quantity that is 0 at V = 0: V₂ = `rates` V₁ with the value `values` times
 /// that at V₁. A ratio that no b has is taken as the nearest that one has.
 pub(super) fn from_zero(t: f64, rates: f64, values: f64) -> f64 {
     let n = values / rates;

@@ -268,7 +268,7 @@ impl AsperityLaw for InterpolatedTable {
         }))
     }
 
-    /// At the lowest slip rate; heat hardly changes it.
+    /// Slip at inception (m) at the lowest slip rate; heat hardly changes it.
     fn inception_slip(&self, radius: f64, interference: f64) -> Result<Estimate, LookupError> {
         if interference <= 0.0 {
             return Ok(Estimate::default());

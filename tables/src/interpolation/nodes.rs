@@ -224,7 +224,7 @@ pub(super) fn blend(
     }))
 }
 
-/// The same of one number, with its [`bend`], which is zero on a point.
+/// Blends one number that `value` gives at the points around `place`; with its [`bend`], which is zero on a point.
 pub(super) fn blend_with_bend(
     axis: &[f64],
     place: Location,
@@ -267,7 +267,7 @@ fn without(axis: &[f64], own: usize) -> (Vec<f64>, f64) {
     ([&axis[..own], &axis[own + 1..]].concat(), axis[own])
 }
 
-/// Where no point of a line can be left out: the difference of the two possible means in the middle of two, as the misfit of an
+/// Errors where no point of a line can be left out: the difference of the two possible means in the middle of two, as the misfit of an
 /// interval twice as long.
 fn two_means(one: &Values, other: &Values) -> Errors {
     let (a, b) = (with_coefficient(one), with_coefficient(other));
@@ -278,7 +278,7 @@ fn two_means(one: &Values, other: &Values) -> Errors {
     })
 }
 
-/// The same along the slip rate, along which values have no power law: the distance in the middle of a parabola with zero slope at
+/// Errors where no point can be left out along the slip rate, along which values have no power law: the distance in the middle of a parabola with zero slope at
 /// one end from the straight line.
 fn parabola(one: &Values, other: &Values) -> Errors {
     let (a, b) = (with_coefficient(one), with_coefficient(other));

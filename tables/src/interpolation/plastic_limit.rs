@@ -173,7 +173,7 @@ impl AboveLastRow {
         self.relaxed(CONTACT_RADIUS, rows)
     }
 
-    /// Of Q/A, from Q and A.
+    /// Growth of Q/A, from Q and A.
     fn of_strength(self, friction: LastRows, area: LastRows) -> Growth {
         let before = friction.0.zip(area.0).map(|(friction, area)| friction / area);
         let exponent = self.exponent((before, friction.1 / area.1)).unwrap_or(0.0);
@@ -183,12 +183,12 @@ impl AboveLastRow {
         Growth { logarithm: logarithm - STRENGTH_IN_LARGE_CONTACTS * self.contact_growth, uncertainty }
     }
 
-    /// Of Q, from Q and A.
+    /// Growth of Q, from Q and A.
     fn of_friction(self, friction: LastRows, area: LastRows) -> Growth {
         self.of_strength(friction, area).times(self.relaxed(AREA, area))
     }
 
-    /// Of Q/P, from Q, A and P.
+    /// Growth of Q/P, from Q, A and P.
     fn of_coefficient(self, friction: LastRows, area: LastRows, load: LastRows) -> Growth {
         let growth = self.of_friction(friction, area).times(self.relaxed(LOAD, load).inverse());
         let thermal = self.of_strength(friction, area).uncertainty;

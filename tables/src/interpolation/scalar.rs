@@ -156,7 +156,7 @@ struct FirstRow<'a> {
     slip_rate: f64,
     load: f64,
     area: f64,
-    /// Of load and area.
+    /// Effect of heat on load and area.
     heat: [HeatRatio; 2],
 }
 

@@ -17,7 +17,7 @@ const MARK: &[u8] = b"\nsha256 of all before this line: ";
 const DIGITS: usize = 64;
 const LENGTH: usize = MARK.len() + DIGITS + 1;
 
-/// Of HDF5 since version 1.8, which has the place where the data end at a fixed place, after its own.
+/// First bytes of an HDF5 file. A superblock of the versions below states at a fixed position where the data end.
 const SUPERBLOCK: &[u8] = b"\x89HDF\r\n\x1a\n";
 const SUPERBLOCK_VERSIONS: [u8; 2] = [2, 3];
 const BYTES_OF_PLACES: u8 = 8;

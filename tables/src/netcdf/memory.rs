@@ -14,7 +14,7 @@ use super::{silence_hdf5, superblock};
 
 /// A file in memory, being written.
 pub(super) struct MemoryFile {
-    /// By which the HDF5 library knows it; no file of that name exists.
+    /// Name of the file in the HDF5 library; no file of that name exists on a disk.
     name: String,
     pub(super) file: FileMut,
 }

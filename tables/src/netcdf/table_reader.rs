@@ -59,7 +59,7 @@ impl Table {
     }
 }
 
-/// That a file is the request of a table, or another input, if it is.
+/// The error for a file that is the request of a table, or another input, in place of a table; none for other files.
 fn toml_in_place_of_table(path: &Path) -> Option<DatasetError> {
     let sections: toml::Table = read_text(path).ok()?.parse().ok()?;
     if sections.is_empty() {

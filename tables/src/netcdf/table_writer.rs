@@ -67,7 +67,7 @@ fn write(path: &Path, slices: &[Slice]) -> Result<(), DatasetError> {
 struct TableWriter<'a> {
     file: DatasetWriter,
     slices: &'a [Slice],
-    /// Of the histories; cells lack the last. Several slices have a leading one.
+    /// Dimensions of the histories; scalars of cells lack the last. Several slices have a leading one, the temperature.
     dimensions: &'static [&'static str],
 }
 
@@ -195,7 +195,7 @@ impl TableWriter<'_> {
         self.file.texts("warnings", grid, &warnings, &[meaning])
     }
 
-    /// Of every point of every slice, with the cell that is done there.
+    /// A value of every point of every slice, from the slice and the cell that is done there.
     fn over_cells<T>(&self, of: impl Fn(&Slice, Option<&Cell>) -> T) -> Vec<T> {
         let of_slice =
             |slice: &Slice| -> Vec<T> { slice.grid().map(|(i, j)| of(slice, slice.cell(i, j))).collect() };

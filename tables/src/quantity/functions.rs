@@ -8,7 +8,7 @@ pub fn bisect(bracket: [f64; 2], halvings: usize, mut holds: impl FnMut(f64) -> 
     bracket
 }
 
-/// The same of a condition that may fail.
+/// Halves a bracket as [`bisect`] does, for a condition whose evaluation may fail.
 pub fn try_bisect<E>(
     [mut start, mut end]: [f64; 2],
     halvings: usize,

@@ -62,7 +62,7 @@ impl History {
         self.position(quantity).map_or(&[], |position| &self.columns[position])
     }
 
-    /// The same to be changed. Panics for a quantity that is not one of the columns.
+    /// Values of a quantity, to be changed. Panics for a quantity that is not one of the columns.
     pub fn column_mut(&mut self, quantity: Quantity) -> &mut Vec<f64> {
         let position = self.position(quantity).unwrap_or_else(|| panic!("{quantity:?} is not a column"));
         &mut self.columns[position]

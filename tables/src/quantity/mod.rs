@@ -51,17 +51,17 @@ pub enum ElasticLimit {
     ContactRadius,
     /// τ_c·A, with the softening by heat.
     SlidingFriction,
-    /// The same over P.
+    /// τ_c·A/P, with the softening by heat.
     SlidingCoefficient,
     /// τ_c·A.
     StaticFriction,
-    /// The same over P.
+    /// τ_c·A/P.
     StaticCoefficient,
     /// Slip of gross slip under the constant strength τ_c.
     InceptionSlip,
     /// Dissipation of partial slip per area.
     EnergyRelease,
-    /// In proportion to the area.
+    /// An energy in proportion to the area.
     Weakening,
     /// The value of the first row.
     FirstRow,

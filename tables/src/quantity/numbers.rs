@@ -45,7 +45,7 @@ pub fn with_error(estimate: Estimate, unit: &str) -> String {
     format!("{value}{suffix} ± {error}{suffix}{unit}")
 }
 
-/// With that number of decimals; a zero has no sign.
+/// A number with a given number of `decimals`; a zero has no sign.
 pub fn decimal(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
@@ -56,7 +56,7 @@ pub fn decimal(value: f64, decimals: usize) -> String {
     }
 }
 
-/// At most `digits` significant digits, or more where the value would be rounded to `limit` or past it: for sentences
+/// A number with at most `digits` significant digits, or more where the value would be rounded to `limit` or past it: for sentences
 /// that say on which side of a limit a value lies.
 ///
 /// ```
@@ -94,7 +94,7 @@ pub fn plain(value: f64) -> String {
     digits(value, 6)
 }
 
-/// At most `digits` significant digits, without trailing zeros.
+/// A number with at most `digits` significant digits, without trailing zeros.
 ///
 /// ```
 /// use tables::numbers::digits;

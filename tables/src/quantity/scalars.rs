@@ -57,7 +57,7 @@ impl Estimate {
         Self::with_errors(value, [self.error / divisor.value, value * divisor.error / divisor.value])
     }
 
-    /// With its unit.
+    /// The estimate with its unit, for JSON.
     pub fn in_unit(self, unit: &str) -> WithUnit<'_> {
         // Sums of nothing are -0, which JSON would show.
         WithUnit { value: self.value + 0.0, error: self.error, unit }

@@ -30,7 +30,7 @@ const SHIPPED: [(&str, &[u8]); 18] =
 /// What the name of a table adds to that of its metal if the counterface is rigid and isothermal.
 const RIGID: &str = "-rigid";
 
-/// The same if the strength grows with the strain rate.
+/// What the name of a table adds to that of its metal if the strength grows with the strain rate.
 const RATE: &str = "-rate";
 
 /// Names of the shipped tables.
@@ -86,7 +86,8 @@ pub fn table(asked: &str) -> Result<InterpolatedTable, TableSourceError> {
     open(asked, None)
 }
 
-/// The same at an initial temperature, K, which a file of several must be given.
+/// The table in the file `asked`, or the shipped one of that name, at an initial temperature, K, which a file of several
+/// must be given.
 pub fn open(asked: &str, temperature: Option<f64>) -> Result<InterpolatedTable, TableSourceError> {
     let of_asked = |error| TableSourceError::Temperature { asked: asked.to_owned(), error };
     load(asked)?.at(temperature).map_err(of_asked)

@@ -19,9 +19,9 @@ type Pair = ((usize, usize), (usize, usize));
 pub struct OfKey {
     /// Name, of a key with its sections.
     pub key: String,
-    /// Value of the first, "nothing" where it has none.
+    /// Value in the first, "nothing" where it has none.
     pub here: String,
-    /// That of the second.
+    /// Value in the second, "nothing" where it has none.
     pub there: String,
 }
 
@@ -112,7 +112,7 @@ impl Slice {
         comparison
     }
 
-    /// Of a quantity that one table alone has at points that are done in both.
+    /// How many of the points that are done in both tables have a quantity in one table alone.
     fn one_sided(&self, other: &Slice, pairs: &[Pair], quantity: Quantity) -> Option<OfKey> {
         let mut alone = [0, 0];
         for &((i, j), (k, l)) in pairs {

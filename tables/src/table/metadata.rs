@@ -8,13 +8,13 @@ use crate::closed_forms::shear_limit::ShearLimit;
 /// Origin and constants of a table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Metadata {
-    /// In words.
+    /// Title of the table.
     pub title: String,
     /// One line per command that made or changed the table.
     pub history: String,
     /// Program and version.
     pub source: String,
-    /// Of the physics of the program: equal ones give equal numbers. May be empty.
+    /// Fingerprint of the program that made the table: programs with equal ones give equal numbers. May be empty.
     pub fingerprint: String,
     /// `K/N` where the table is one of N parts of the request; empty for a whole one.
     pub shard: String,
@@ -51,7 +51,7 @@ pub struct Metadata {
     pub gap_conductance: f64,
     /// The body on the other side: its constants as `key = value` in SI units; empty if it is rigid and isothermal.
     pub counterface: String,
-    /// Of the material in shear, where it is known.
+    /// Shear fracture energy of the material, where it is known.
     pub fracture_energy: Option<FractureEnergy>,
     /// Relative error of interpolation that points were added for. Where there is one, the errors
     /// of the cells include that of interpolating around them.

@@ -61,7 +61,7 @@ pub enum TemperatureError {
 /// Results of one asperity over initial temperature, interference and slip rate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    /// Of rising initial temperature, at least one.
+    /// Slices by rising initial temperature, at least one.
     slices: Vec<Slice>,
 }
 

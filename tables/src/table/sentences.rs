@@ -6,12 +6,12 @@ pub struct Sentence {
     words: Vec<String>,
     /// Smallest and largest of each number between the words, as written.
     numbers: Vec<[String; 2]>,
-    /// In the order in which they were taken in.
+    /// Places that the sentence is about, in the order in which they were added.
     pub places: Vec<(usize, usize)>,
 }
 
 impl Sentence {
-    /// About one place.
+    /// A sentence about one place.
     pub fn new(text: &str, place: (usize, usize)) -> Self {
         let (words, numbers) = split(text);
         Self {
@@ -39,7 +39,7 @@ impl Sentence {
         true
     }
 
-    /// With the ranges of its numbers; of those "up to" a number the largest.
+    /// Text with the ranges of its numbers; of those "up to" a number the largest.
     pub fn text(&self) -> String {
         let ranges = self.numbers.iter().zip(&self.words).map(|([low, high], before)| {
             match low == high || before.ends_with("up to ") {

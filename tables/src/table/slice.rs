@@ -82,7 +82,7 @@ impl Slice {
         &self.metadata
     }
 
-    /// The same to be changed; results are unchanged.
+    /// Origin and constants, to be changed; results are unchanged.
     pub fn metadata_mut(&mut self) -> &mut Metadata {
         &mut self.metadata
     }

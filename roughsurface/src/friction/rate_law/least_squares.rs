@@ -172,7 +172,7 @@ pub(super) fn minimise(form: &'static Form, curve: &Curve) -> Result<RateLaw, No
     }
 }
 
-/// From a place to the least squares, with residuals and Jacobian there.
+/// Descends from the parameters `place` to the least squares; with residuals and Jacobian there.
 fn descend(form: &Form, curve: &Curve, mut place: Parameters) -> Minimum {
     const MOST_STEPS: usize = 300;
     let (mut residuals, mut jacobian) = form.residuals(&place, curve);

@@ -34,7 +34,7 @@ pub(crate) struct SurfaceSlide {
 /// The surface under the pressure or separation of a row, before the slide.
 pub(crate) struct PressedSurface {
     equilibrium: EquilibriumState,
-    at_rest: SlipState,
+    before_sliding: SlipState,
     /// Pressure (Pa), which a held load keeps; it has an error where the query gives the separation.
     pressure: Estimate,
     /// Separation (m), which a held separation keeps, and its error; it has one where the query gives the pressure.
@@ -88,24 +88,24 @@ impl<'a> Sweep<'a> {
     pub(crate) fn press(&self, row: usize, rate: usize) -> Result<PressedSurface, PredictionError> {
         let asperities = self.asperities[rate].map(|asperity| asperity.with(Additional::EnergyRelease));
         let mut integral = self.integral(&asperities);
-        let (equilibrium, at_rest, pressure, held, shift) = match &self.query.loading {
+        let (equilibrium, before_sliding, pressure, held, shift) = match &self.query.loading {
             NormalLoading::Pressure(pressures) => {
                 let pressure = Estimate::exact(pressures[row]);
                 let heights = self.surface.heights.as_ref();
                 let predictor = Predictor::at(heights.mode(), heights);
                 let found = separation_for(&mut integral, pressure.value, predictor)?;
-                let at_rest = SlipState::at_pressure(&found, pressure, self.plane);
+                let before_sliding = SlipState::at_pressure(&found, pressure, self.plane);
                 let held = HeldSeparation::found(&found, pressure.value);
-                (found, at_rest, pressure, held, found.separation_error(pressure.value))
+                (found, before_sliding, pressure, held, found.separation_error(pressure.value))
             }
             NormalLoading::Separation(separations) => {
                 let effective = self.plane.effective_separation(&mut integral, separations[row])?;
                 let found = EquilibriumState::at(&mut integral, effective)?;
                 let held = HeldSeparation::default();
-                let at_rest = SlipState::held(&found, held, self.plane);
+                let before_sliding = SlipState::held(&found, held, self.plane);
                 let pressure = found.state.pressure.estimate();
                 let shift = self.plane.displacement_error(pressure, found.sensitivity.pressure);
-                (found, at_rest, at_rest.pressure, held, shift)
+                (found, before_sliding, before_sliding.pressure, held, shift)
             }
         };
         let touches = equilibrium.state.pressure.value > 0.0;
@@ -118,7 +118,7 @@ impl<'a> Sweep<'a> {
             let Estimate { value, error } = energy.estimate();
             Estimate { value, error: error + shift * (equilibrium.sensitivity.additional * value).abs() }
         });
-        Ok(PressedSurface { equilibrium, at_rest, pressure, separation, energy_release })
+        Ok(PressedSurface { equilibrium, before_sliding, pressure, separation, energy_release })
     }
 
     /// The surface of each of the `rows` after its neighbouring slips (m). Rows share the responses of the asperities where
@@ -229,13 +229,13 @@ impl<'a> Sweep<'a> {
         let friction = Friction {
             mu_static: start.mu,
             inception_slip: start.slip,
-            weakening_energy: weakening_energy(slip, &mu_history, pressed.at_rest.pressure),
+            weakening_energy: weakening_energy(slip, &mu_history, pressed.before_sliding.pressure),
             weakening_distance: weakening_distance(slip, &mu_history),
             contacts: *contacts,
             // Follows from all slip rates together.
             rate_sensitivity: Estimate::UNKNOWN,
             energy_release: pressed.energy_release.filter(|_| !sliding.mu.value.is_nan()),
-            pressed: pressed.at_rest,
+            pressed: pressed.before_sliding,
             sliding: *sliding,
             mu_steady: lasting.mu,
             mu_history,

@@ -6,7 +6,8 @@ use crate::friction::rate_step::{self, RateStepResponse, Stepped};
 use crate::surface::query::ContactLife;
 use tables::law::Estimate;
 
-/// Those of ascending `rates` within a range, and its ends where they are not among them; none if fewer than two are positive.
+/// The slip rates of ascending `rates` within a range, and its ends where they are not among them; none if fewer than two are
+/// positive.
 fn in_common(mut rates: Vec<f64>, (from, to): (f64, f64)) -> Vec<f64> {
     /// Distance in ln V of slip rates that are not taken for one.
     const APART: f64 = 0.1;

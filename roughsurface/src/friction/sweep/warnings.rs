@@ -36,7 +36,7 @@ const SMALL_NOMINAL_CONTACT: f64 = 0.01;
 const FEW_CONTACTS: f64 = 10.0;
 
 impl Sweep<'_> {
-    /// Those of a cell with its sliding inception and the largest share of its load outside the table.
+    /// Adds the warnings of a cell with its sliding inception and the largest share of its load outside the table.
     pub(super) fn warn(
         &self,
         (row, rate): (usize, usize),

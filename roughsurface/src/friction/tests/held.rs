@@ -45,12 +45,12 @@ fn weakening_at_a_held_separation_is_that_of_the_friction_coefficient() {
 }
 
 #[test]
-fn the_surface_at_rest_has_the_same_errors_whatever_is_held() {
+fn the_surface_before_sliding_has_the_same_errors_whatever_is_held() {
     let law = weakening(0.3, 0.02);
-    let at_rest = |loading: &NormalLoading, control| held(&law, loading.clone(), control)[0].pressed;
+    let before_sliding = |loading: &NormalLoading, control| held(&law, loading.clone(), control)[0].pressed;
     for loading in [NormalLoading::Pressure(vec![1e6]), NormalLoading::Separation(vec![2e-6])] {
         let [load, separation] = [LoadingControl::Load, LoadingControl::Separation]
-            .map(|control| at_rest(&loading, control))
+            .map(|control| before_sliding(&loading, control))
             .map(|state| [state.pressure, state.separation, state.area_fraction, state.contact_density]);
         assert_eq!(load, separation);
     }

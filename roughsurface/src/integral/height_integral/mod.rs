@@ -63,13 +63,13 @@ struct Root {
 
 /// How a panel fits the density.
 enum Fit {
-    /// Without weight.
+    /// The panel has no weight in the integral.
     Negligible,
-    /// Fine enough.
+    /// The panel is fine enough.
     Fine,
-    /// To be replaced by finer panels.
+    /// The panel is to be replaced by finer ones.
     Coarse,
-    /// To be cut at an edge of the density, u = √(ω/ω_c).
+    /// The panel is to be cut at an edge of the density, u = √(ω/ω_c).
     CutAt(f64),
 }
 
@@ -284,7 +284,7 @@ impl<'a> HeightIntegral<'a> {
         Leaf { place, value, error }
     }
 
-    /// From sums per asperity to values per nominal area.
+    /// Values per nominal area from sums per asperity.
     fn scaled(&self, tail: f64, total: &Sums, error: &Errors) -> ContactState {
         let density = self.asperity_density;
         let integral = |value: usize, law_error: usize, error_of: usize| Integral {

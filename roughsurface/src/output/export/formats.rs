@@ -17,7 +17,7 @@ fn head(table: &FrictionTable, mark: &str, lines: &[&str]) -> String {
     text
 }
 
-/// In lines that are not too long for Abaqus.
+/// Adds a warning in comment lines that are not too long for Abaqus.
 fn add_warning(text: &mut String, mark: &str, warning: &str) {
     const LONGEST: usize = 200;
     let mut line = format!("{mark} Warning:");

@@ -67,7 +67,7 @@ pub struct FrictionTable {
     pub pressures: Vec<f64>,
     /// m/s.
     pub slip_rates: Vec<f64>,
-    /// By ascending temperature.
+    /// Friction at each initial temperature, by ascending temperature.
     pub layers: Vec<Layer>,
 }
 

@@ -43,7 +43,7 @@ const CITATIONS: [&str; 6] = [
     "Y. Ida, Cohesive force across the tip of a longitudinal-shear crack and Griffith's specific surface energy, J. Geophys. Res. 77, 3796 (1972), doi 10.1029/JB077i020p03796",
 ];
 
-/// Of a table in the page, so that the page stays below 2 MB.
+/// Most rows of a table in the page, so that the page stays below 2 MB.
 const MOST_ROWS: usize = 400;
 
 const RATE_LAW: &str = "<p>The law that is chosen at each pressure; below it the form of flash heating, with μ<sub>w</sub> as mu_inf and V<sub>w</sub> as V*.</p>\n";

@@ -52,9 +52,9 @@ pub struct Samples {
     pub query: Query,
     pub sampling: Sampling,
     pub law: String,
-    /// Of all surfaces, at every pressure or separation and slip rate, row by row.
+    /// States of all surfaces, at every pressure or separation and slip rate, row by row.
     pub states: Vec<Vec<SampledState>>,
-    /// Of the surface of infinite extent likewise, where it has an equilibrium.
+    /// States of the surface of infinite extent likewise, where it has an equilibrium.
     pub infinite: Vec<Option<SampledState>>,
     pub warnings: Vec<Warning>,
 }
@@ -111,7 +111,7 @@ pub fn sample(
     Ok(Samples { query: query.clone(), sampling: *sampling, law: law.name(), states, infinite, warnings })
 }
 
-/// Where finite surfaces search for their separation: at that of the surface of infinite extent, for every
+/// Starts of the search of finite surfaces for their separation: at that of the surface of infinite extent, for every
 /// pressure or separation and slip rate, row by row.
 fn predictors(laws: &[LawAtRate], surface: &Surface, query: &Query, settings: &Settings) -> Vec<Predictor> {
     let heights = surface.heights.as_ref();

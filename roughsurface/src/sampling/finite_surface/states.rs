@@ -16,7 +16,7 @@ use tables::law::{AsperityLaw, Estimate};
 /// A surface under one pressure at one slip rate.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SampledState {
-    /// After the slip; errors are those of the law. The friction coefficient is NaN without contact.
+    /// State after the slip; errors are those of the law. The friction coefficient is NaN without contact.
     pub state: SlipState,
     /// Number of asperities in contact.
     pub contacts: f64,
@@ -60,12 +60,12 @@ pub(super) struct SummitLoading<'a> {
     pub plane: MeanPlane,
     /// Response of the asperities at each slip rate.
     pub laws: &'a [LawAtRate<'a>],
-    /// Where the search for a separation starts, at every pressure or separation and slip rate, row by row.
+    /// Starts of the search for a separation, at every pressure or separation and slip rate, row by row.
     pub predictors: &'a [Predictor],
 }
 
 impl SummitLoading<'_> {
-    /// At every pressure or separation and slip rate, row by row.
+    /// States at every pressure or separation and slip rate, row by row.
     pub fn states(&self, summits: &SummitPopulation) -> Vec<Result<SampledState, PredictionError>> {
         (0..self.predictors.len()).map(|cell| self.state(summits, cell)).collect()
     }

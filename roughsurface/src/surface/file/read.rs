@@ -60,7 +60,7 @@ impl SurfaceFile {
         Self::read_with(file, &[])
     }
 
-    /// The same with `overrides` laid over it.
+    /// Reads and checks a surface file as [`read`](Self::read) does, with `overrides` laid over its keys.
     pub fn read_with(file: &Path, overrides: &[Override]) -> Result<Self, SurfaceFileError> {
         let unreadable = |error: std::io::Error| SurfaceFileError::Unreadable {
             file: file.to_path_buf(),
@@ -75,7 +75,7 @@ impl SurfaceFile {
         Self::parse_with(file, text, &[])
     }
 
-    /// The same with `overrides` laid over it.
+    /// Checks the `text` of a surface file as [`parse`](Self::parse) does, with `overrides` laid over its keys.
     pub fn parse_with(file: &Path, text: String, overrides: &[Override]) -> Result<Self, SurfaceFileError> {
         if overrides.is_empty() {
             return Self::parse_moved(file, text, None);

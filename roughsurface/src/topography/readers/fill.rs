@@ -18,7 +18,7 @@ const ITERATIONS: usize = 20_000;
 const LEAST: f64 = 1e-4;
 /// Points that a thread takes at once.
 const CHUNK: usize = 1 << 12;
-/// In place of the number of a point that is defined.
+/// Mark of a defined point, in place of the number of an undefined one.
 const DEFINED: u32 = u32::MAX;
 
 /// Gives undefined points heights; at least one must be defined.
@@ -44,7 +44,7 @@ fn next(topography: &Topography, place: usize, (down, right): (isize, isize)) ->
 /// The equations of the undefined points.
 struct System<'a> {
     topography: &'a Topography,
-    /// Of each of [`DIRECTIONS`].
+    /// Weight of each of [`DIRECTIONS`].
     weights: [f64; DIRECTIONS.len()],
     places: Vec<usize>,
     /// Number of the undefined point at each place of the map, or [`DEFINED`].

@@ -33,7 +33,7 @@ const FEWEST_POINTS: usize = 8;
 /// Largest share of undefined points that are filled in rather than refused.
 const MOST_UNDEFINED: f64 = 0.1;
 
-/// Of a file of an instrument, as .sur.
+/// Message for a binary file of an instrument, such as .sur.
 const BINARY: &str = "is a binary file of unknown format; known are X3P, SDF, GSF, NetCDF, NPY and text. Gwyddion and the programs of \
     most instruments convert to X3P";
 

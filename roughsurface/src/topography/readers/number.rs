@@ -10,7 +10,7 @@ pub(super) struct Number {
 }
 
 impl Number {
-    /// Of a type as NumPy writes it, such as `<f8`.
+    /// Format of a number type as NumPy writes it, such as `<f8`.
     pub fn of(text: &str) -> Option<Self> {
         let [order, kind, size] = text.chars().collect::<Vec<_>>()[..] else { return None };
         let size = size.to_digit(10)? as usize;

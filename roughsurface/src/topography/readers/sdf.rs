@@ -52,9 +52,9 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
 struct Header {
     points: usize,
     profiles: usize,
-    /// Along a profile, and between profiles, m.
+    /// Spacing along a profile, and between profiles, m.
     steps: [f64; 2],
-    /// Of the heights, m.
+    /// Unit of the heights, m.
     scale: f64,
     data_type: usize,
     compression: usize,
@@ -99,7 +99,7 @@ fn of_text(text: &str) -> Result<(Header, Vec<f64>), String> {
     Ok((header, values.collect::<Result<_, _>>()?))
 }
 
-/// The same, without heights of an unknown type; none where the bytes end within the header.
+/// Header and heights of a binary file, without heights of an unknown type; none where the bytes end within the header.
 fn of_binary(bytes: &[u8]) -> Option<(Header, Vec<f64>)> {
     // Version, manufacturer and two dates.
     let mut rest = bytes.get(8 + 10 + 12 + 12..)?;

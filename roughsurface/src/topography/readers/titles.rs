@@ -98,7 +98,7 @@ impl Titles {
 }
 
 impl Column {
-    /// Of a title with its unit in brackets, or `after_stroke` behind a stroke.
+    /// A column from a title with its unit in brackets, or `after_stroke` behind a stroke.
     fn of(title: &str, after_stroke: bool) -> Self {
         let between = |open, close| {
             let (_, rest) = title.rsplit_once(open)?;

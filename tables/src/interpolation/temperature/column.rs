@@ -69,9 +69,9 @@ impl<'a, F: Fn(usize) -> f64> Line<'a, F> {
 
 /// Units of the quantities: powers of yield strength and contact modulus, both in Pa.
 pub(super) struct Units {
-    /// At the temperatures of the series.
+    /// Yield strength and contact modulus at the temperatures of the series.
     pub members: Vec<(f64, f64)>,
-    /// Between them.
+    /// Yield strength and contact modulus at the temperature between them.
     pub here: (f64, f64),
     /// Relative errors of these.
     pub errors: (f64, f64),
