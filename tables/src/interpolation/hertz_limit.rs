@@ -19,7 +19,7 @@
 //! The temperature rise is in proportion to the contact radius. If the interface has no limit of the shear traction, or
 //! the table does not state it, Q/P has the value of the first row.
 
-use super::nodes::{COEFFICIENT, Errors, FIELDS, Field, Values};
+use super::nodes::{COEFFICIENT, Errors, STATE_QUANTITIES, StateQuantity, Values};
 use crate::closed_forms::hertz;
 use crate::closed_forms::shear_limit::{GrossSlip, ShearLimit};
 use crate::table::Metadata;
@@ -159,9 +159,9 @@ impl ElasticSphere {
         heat: [HeatRatio; 2],
     ) -> (Values, Errors) {
         let (here, first) = (below.interference(), below.first_row);
-        let (load, area) = (Field::Load as usize, Field::Area as usize);
-        let (friction, rise) = (Field::Friction as usize, Field::TemperatureRise as usize);
-        let mut values = [0.0; FIELDS];
+        let (load, area) = (StateQuantity::Load as usize, StateQuantity::Area as usize);
+        let (friction, rise) = (StateQuantity::Friction as usize, StateQuantity::TemperatureRise as usize);
+        let mut values = [0.0; STATE_QUANTITIES];
         let mut uncertainty = Errors::default();
         let uplift = self.uplift_uncertainty(below);
         let of_load: &dyn Fn(f64) -> f64 = &|at| self.load(at);

@@ -1,12 +1,12 @@
-//! Histories of a cell as fields of the response: values, slopes and errors along the slip axis.
+//! Histories of a cell as quantities of the state: values, slopes and errors along the slip axis.
 
 use super::steffen;
 use crate::quantity::{Estimate, Quantity};
 use crate::table::Slice;
 
-/// Fields of the response.
+/// Quantities of the state after a slip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Field {
+pub(super) enum StateQuantity {
     Load,
     Friction,
     Area,
@@ -14,25 +14,25 @@ pub(super) enum Field {
     TemperatureRise,
 }
 
-pub(super) const FIELDS: usize = 4;
+pub(super) const STATE_QUANTITIES: usize = 4;
 
-const RISE: usize = Field::TemperatureRise as usize;
+const RISE: usize = StateQuantity::TemperatureRise as usize;
 
-/// One number for each [`Field`].
-pub(super) type Values = [f64; FIELDS];
+/// One number for each [`StateQuantity`].
+pub(super) type Values = [f64; STATE_QUANTITIES];
 
 /// Place of Q/P among the errors.
-pub(super) const COEFFICIENT: usize = FIELDS;
+pub(super) const COEFFICIENT: usize = STATE_QUANTITIES;
 
-/// Relative errors of each [`Field`] and of Q/P, in which errors of Q and P of the same sign cancel.
-pub(super) type Errors = [f64; FIELDS + 1];
+/// Relative errors of each [`StateQuantity`] and of Q/P, in which errors of Q and P of the same sign cancel.
+pub(super) type Errors = [f64; STATE_QUANTITIES + 1];
 
-/// Quantity of each [`Field`] and of Q/P. The last has no history of its own.
-const QUANTITIES: [Quantity; FIELDS + 1] =
+/// Quantity of each [`StateQuantity`] and of Q/P. The last has no history of its own.
+const QUANTITIES: [Quantity; STATE_QUANTITIES + 1] =
     [Quantity::Load, Quantity::Friction, Quantity::Area, Quantity::TemperatureMax, Quantity::Mu];
 
 /// Scalars up to sliding inception in place of [`QUANTITIES`], in the same order.
-const BEFORE_SLIDING: [Quantity; FIELDS + 1] = [
+const BEFORE_SLIDING: [Quantity; STATE_QUANTITIES + 1] = [
     Quantity::LoadPress,
     Quantity::FrictionStatic,
     Quantity::AreaPress,
@@ -46,11 +46,11 @@ pub(super) fn history(table: &Slice, i: usize, j: usize, base: f64) -> Option<Ve
     // A slip has its place on the slip axis by a₀.
     let cell = (table.cell(i, j)).filter(|cell| cell[Quantity::ContactRadius].value > 0.0)?;
     let slip = &table.axes().slip;
-    let columns: [Vec<f64>; FIELDS] = std::array::from_fn(|field| {
+    let columns: [Vec<f64>; STATE_QUANTITIES] = std::array::from_fn(|field| {
         let quantity = QUANTITIES[field];
         cell.history(quantity).iter().map(|value| quantity.above_origin(*value, base)).collect()
     });
-    let mechanical = &columns[..Field::TemperatureRise as usize];
+    let mechanical = &columns[..StateQuantity::TemperatureRise as usize];
     if mechanical.iter().flatten().any(|value| !value.is_finite()) {
         return None;
     }
@@ -86,7 +86,7 @@ fn heating(table: &Slice, i: usize, base: f64) -> Option<Vec<f64>> {
 
 /// States along the slip axis, each with its slope.
 pub(super) fn with_slopes(slip: &[f64], states: Vec<Values>) -> Vec<[Values; 2]> {
-    let slopes: [Vec<f64>; FIELDS] = std::array::from_fn(|f| {
+    let slopes: [Vec<f64>; STATE_QUANTITIES] = std::array::from_fn(|f| {
         let column: Vec<f64> = states.iter().map(|state| state[f]).collect();
         steffen::slopes(slip, &column)
     });
@@ -100,7 +100,7 @@ pub(super) fn with_slopes(slip: &[f64], states: Vec<Values>) -> Vec<[Values; 2]>
 pub(super) fn given_errors(table: &Slice, i: usize, j: usize, base: f64) -> Vec<Errors> {
     let slips = &table.axes().slip;
     let Some(cell) = table.cell(i, j) else {
-        return vec![[f64::NAN; FIELDS + 1]; slips.len()];
+        return vec![[f64::NAN; STATE_QUANTITIES + 1]; slips.len()];
     };
     let next = (j + 1).min(table.shape().1 - 1);
     let heated = table

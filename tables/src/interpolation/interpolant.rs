@@ -4,8 +4,8 @@ use roots::{SimpleConvergency, find_root_brent};
 
 use super::ROUNDING;
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, HeatRatio, extrapolated};
-use super::low_rates::{self, Growth};
-use super::nodes::{self, Absent, Errors, Field, Nodes, OF_STRAIGHT, Values, blend, rate_coordinate};
+use super::low_rates::{self, RiseFactor};
+use super::nodes::{self, Absent, Errors, Nodes, OF_STRAIGHT, StateQuantity, Values, blend, rate_coordinate};
 use super::plastic_limit::AboveLastRow;
 use super::steffen::{self, Location, locate};
 use crate::law::{LARGEST_CONTACT, covers};
@@ -31,8 +31,8 @@ pub(super) struct Interpolant {
     pub(super) log_end: f64,
 }
 
-const FRICTION: usize = Field::Friction as usize;
-const RISE: usize = Field::TemperatureRise as usize;
+const FRICTION: usize = StateQuantity::Friction as usize;
+const RISE: usize = StateQuantity::TemperatureRise as usize;
 
 /// Share of the histories from whose state to the last one their trend is taken.
 const TREND: f64 = 0.5;
@@ -52,7 +52,7 @@ fn continued(earlier: &Values, last: &Values, farther: f64) -> Errors {
 }
 
 /// Position of an interference among the rows.
-pub(super) enum Place {
+pub(super) enum RowPosition {
     Below(BelowFirstRow),
     Inside(Location),
     Above(AboveLastRow),
@@ -90,9 +90,9 @@ impl Interpolant {
     fn row(&self, i: usize, rate: Location, slip: Location) -> Result<Values, Absent> {
         let state = |j: usize| self.nodes.state(i, j, slip).ok_or((i, j));
         let mut values = blend(&self.rate_coordinate, rate, state)?;
-        if let Some(growth) = self.growth_of_rise_after(i, rate, slip) {
+        if let Some(low_rate) = self.rise_factor_after(i, rate, slip) {
             let first = state(1)?;
-            values[RISE] = first[RISE] * rate.t * growth.factor * values[FRICTION] / first[FRICTION];
+            values[RISE] = first[RISE] * rate.t * low_rate.factor * values[FRICTION] / first[FRICTION];
         }
         Ok(values)
     }
@@ -101,33 +101,33 @@ impl Interpolant {
     /// the points include it.
     fn relative_error(&self, place: Location, rate: Location, slip: Location) -> Errors {
         let mut error = self.nodes.relative_error(place, rate, slip);
-        let growth = self.growth_of_rise_after(place.nearest(), rate, slip);
-        if let Some(growth) = growth.filter(|_| !self.nodes.errors_include_interpolation()) {
-            error[RISE] = error[RISE].hypot(COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * growth.bend);
+        let low_rate = self.rise_factor_after(place.nearest(), rate, slip);
+        if let Some(low_rate) = low_rate.filter(|_| !self.nodes.errors_include_interpolation()) {
+            error[RISE] = error[RISE].hypot(COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * low_rate.bend);
         }
         error
     }
 
-    /// Growth of a temperature rise in row `i` below the first positive slip rate; none elsewhere, and where there is no friction or no
-    /// rise. `of` gives rise and friction force in a row at a slip rate, by their numbers.
-    pub(super) fn growth_of_rise(
+    /// Ratio of a temperature rise to one in proportion to QV, in row `i` below the first positive slip rate; none elsewhere, and
+    /// where there is no friction or no rise. `of` gives rise and friction force in a row at a slip rate, by their numbers.
+    pub(super) fn rise_factor(
         &self,
         i: usize,
         rate: Location,
         of: impl Fn(usize, usize) -> Option<[f64; 2]>,
-    ) -> Option<Growth> {
+    ) -> Option<RiseFactor> {
         let is_below = rate.index == 0 && rate.t > 0.0 && rate.t < 1.0 && self.slip_rate[0] == 0.0;
         let (first, _) = self.rows.filter(|_| is_below)?;
-        low_rates::growth_of_rise(rate.t, &self.slip_rate, [first, i], |i, j| {
+        low_rates::rise_factor(rate.t, &self.slip_rate, [first, i], |i, j| {
             let [rise, friction] = of(i, j)?;
             let n = rise * self.log_contact_radius[i].exp() / (friction * self.slip_rate[j]);
             (n > 0.0 && n.is_finite()).then_some(n)
         })
     }
 
-    /// [`growth_of_rise`](Self::growth_of_rise) of the highest temperature after a slip.
-    fn growth_of_rise_after(&self, i: usize, rate: Location, slip: Location) -> Option<Growth> {
-        self.growth_of_rise(i, rate, |i, j| {
+    /// [`rise_factor`](Self::rise_factor) of the highest temperature after a slip.
+    fn rise_factor_after(&self, i: usize, rate: Location, slip: Location) -> Option<RiseFactor> {
+        self.rise_factor(i, rate, |i, j| {
             let state = self.nodes.state(i, j, slip)?;
             Some([state[RISE], state[FRICTION]])
         })
@@ -179,7 +179,7 @@ impl Interpolant {
         slip: f64,
     ) -> Result<(Values, Errors), Absent> {
         let rows = self.rows.ok_or((0, 0))?;
-        let place = self.place_with_results(rows, interference.ln(), rate)?;
+        let place = self.row_position_with_results(rows, interference.ln(), rate)?;
         let ratio = slip / self.contact_radius(rows, &place);
         let (values, mut error) = self.state_at(rows, &place, rate, ratio)?;
         let farther = ratio / self.nodes.last_slip();
@@ -195,18 +195,18 @@ impl Interpolant {
     fn state_at(
         &self,
         (first, last): (usize, usize),
-        place: &Place,
+        place: &RowPosition,
         rate: Location,
         ratio: f64,
     ) -> Result<(Values, Errors), Absent> {
         let slip = self.nodes.locate_slip(ratio);
         let (at, factor, (values, uncertainty)) = match *place {
-            Place::Below(below) => {
+            RowPosition::Below(below) => {
                 let row = self.row(first, rate, slip)?;
-                let heat = [Field::Load, Field::Area].map(|field| {
+                let heat = [StateQuantity::Load, StateQuantity::Area].map(|field| {
                     self.heat_ratio(
                         (first, last),
-                        field == Field::Load,
+                        field == StateQuantity::Load,
                         |i, rate| Some(self.row(i, rate, slip).ok()?[field as usize]),
                         rate,
                     )
@@ -217,11 +217,11 @@ impl Interpolant {
                     self.sphere.state_below(below, (ratio, self.slip_rate_at(rate)), &row, heat),
                 )
             }
-            Place::Inside(place) => {
+            RowPosition::Inside(place) => {
                 let values = blend(&self.log_interference, place, |i| self.row(i, rate, slip))?;
                 (place, 1.0, (values, Errors::default()))
             }
-            Place::Above(above) => {
+            RowPosition::Above(above) => {
                 let before = last.checked_sub(1).and_then(|before| self.row(before, rate, slip).ok());
                 (Location::on(last), above.error_factor(), above.state(before, &self.row(last, rate, slip)?))
             }
@@ -254,50 +254,50 @@ impl Interpolant {
     }
 
     /// Position of an interference below, between or above the `rows` with results.
-    pub(super) fn place(&self, (first, last): (usize, usize), log_interference: f64) -> Place {
+    pub(super) fn row_position(&self, (first, last): (usize, usize), log_interference: f64) -> RowPosition {
         let rows = &self.log_interference;
         if log_interference < rows[first] {
             let (first_row, log_ratio) = (rows[first].exp(), log_interference - rows[first]);
-            return Place::Below(BelowFirstRow { first_row, log_ratio });
+            return RowPosition::Below(BelowFirstRow { first_row, log_ratio });
         }
         if log_interference <= rows[last] + ROUNDING {
-            return Place::Inside(locate(rows, log_interference.min(rows[last])));
+            return RowPosition::Inside(locate(rows, log_interference.min(rows[last])));
         }
         let gap = last.checked_sub(1).map(|before| rows[last] - rows[before]);
         let log_ratio = log_interference - rows[last];
         let above = AboveLastRow { last_row: rows[last].exp(), gap, log_ratio, contact_growth: 0.0 };
         let growth = self.contact_radius_above(last, above) - self.log_contact_radius[last].exp();
-        Place::Above(AboveLastRow { contact_growth: growth / self.sphere.radius, ..above })
+        RowPosition::Above(AboveLastRow { contact_growth: growth / self.sphere.radius, ..above })
     }
 
-    /// Position of an interference as by [`place`](Self::place); absent beyond rows at the edge of the table that have no results: a table is extrapolated from its first and
-    /// last row.
-    pub(super) fn place_with_results(
+    /// Position of an interference as by [`row_position`](Self::row_position); absent beyond rows at the edge of the table that
+    /// have no results: a table is extrapolated from its first and last row.
+    pub(super) fn row_position_with_results(
         &self,
         rows @ (first, last): (usize, usize),
         log_interference: f64,
         rate: Location,
-    ) -> Result<Place, Absent> {
+    ) -> Result<RowPosition, Absent> {
         let column = rate.nearest();
-        match self.place(rows, log_interference) {
-            Place::Below(_) if first > 0 => Err((first - 1, column)),
-            Place::Above(_) if last + 1 < self.log_interference.len() => Err((last + 1, column)),
+        match self.row_position(rows, log_interference) {
+            RowPosition::Below(_) if first > 0 => Err((first - 1, column)),
+            RowPosition::Above(_) if last + 1 < self.log_interference.len() => Err((last + 1, column)),
             place => Ok(place),
         }
     }
 
     /// a₀, m.
-    fn contact_radius(&self, (first, last): (usize, usize), place: &Place) -> f64 {
+    fn contact_radius(&self, (first, last): (usize, usize), place: &RowPosition) -> f64 {
         let of_row = |row: usize| self.log_contact_radius[row].exp();
         match *place {
-            Place::Below(below) => extrapolated(
+            RowPosition::Below(below) => extrapolated(
                 self.sphere.contact_radius(below.interference()),
                 self.sphere.contact_radius(below.first_row),
                 of_row(first),
                 below.press_weight(),
             ),
-            Place::Inside(place) => self.contact_radius_between(place),
-            Place::Above(above) => self.contact_radius_above(last, above),
+            RowPosition::Inside(place) => self.contact_radius_between(place),
+            RowPosition::Above(above) => self.contact_radius_above(last, above),
         }
     }
 
@@ -316,7 +316,7 @@ impl Interpolant {
         // a₀ grows with ω; far outside the table as its root.
         let (low, high) = (self.log_interference[first] - 40.0, self.log_interference[last] + 40.0);
         let mut accuracy = SimpleConvergency { eps: 1e-13, max_iter: 200 };
-        let excess = |place: f64| (self.contact_radius(rows, &self.place(rows, place)) / wanted).ln();
+        let excess = |place: f64| (self.contact_radius(rows, &self.row_position(rows, place)) / wanted).ln();
         find_root_brent(low, high, excess, &mut accuracy).ok()
     }
 

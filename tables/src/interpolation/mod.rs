@@ -41,7 +41,7 @@ pub(crate) use nodes::{blend_one, cubic, neighbours};
 use crate::law::{AsperityLaw, Estimate, LookupError, OptionalEstimate, Response, SlidingResponse};
 use crate::quantity::Quantity;
 use crate::table::{Slice, Status};
-use nodes::{Absent, COEFFICIENT, Errors, Field, Values};
+use nodes::{Absent, COEFFICIENT, Errors, StateQuantity, Values};
 use steffen::Location;
 
 /// A slip rate or interference closer than this to the end of an axis, relatively, is on it.
@@ -119,16 +119,16 @@ impl InterpolatedTable {
         let (values, errors) =
             if interference > 0.0 { state(slip.max(0.0) / ratio)? } else { Default::default() };
         let strength = self.strength_uncertainty(interference, ratio);
-        let estimate = |field: Field, scale: f64, uncertainty: f64| Estimate {
+        let estimate = |field: StateQuantity, scale: f64, uncertainty: f64| Estimate {
             value: scale * values[field as usize],
             error: scale * (values[field as usize] * (errors[field as usize].abs() + uncertainty)).abs(),
         };
         let squared = ratio * ratio;
-        let rise = estimate(Field::TemperatureRise, 1.0, strength);
+        let rise = estimate(StateQuantity::TemperatureRise, 1.0, strength);
         Ok(Response {
-            load: estimate(Field::Load, squared, strength),
-            friction: estimate(Field::Friction, squared, strength),
-            area: estimate(Field::Area, squared, 0.0),
+            load: estimate(StateQuantity::Load, squared, strength),
+            friction: estimate(StateQuantity::Friction, squared, strength),
+            area: estimate(StateQuantity::Area, squared, 0.0),
             temperature_max: Estimate { value: base + rise.value, error: rise.error },
             coefficient_error: errors[COEFFICIENT] + strength,
         })

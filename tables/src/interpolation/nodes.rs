@@ -7,7 +7,7 @@
 //! 4t(1−t), being zero on them.
 
 use super::ROUNDING;
-pub(super) use super::histories::{COEFFICIENT, Errors, FIELDS, Field, Values};
+pub(super) use super::histories::{COEFFICIENT, Errors, STATE_QUANTITIES, StateQuantity, Values};
 use super::histories::{given_errors, history, with_slopes};
 use super::low_rates::from_zero;
 use super::steffen::{Location, end_slope, hermite, inner_slope, locate};
@@ -308,7 +308,7 @@ fn left_out(
 pub(super) fn with_coefficient(values: &Values) -> Errors {
     let [load, friction, ..] = *values;
     let mut all = Errors::default();
-    all[..FIELDS].copy_from_slice(values);
+    all[..STATE_QUANTITIES].copy_from_slice(values);
     all[COEFFICIENT] = if load == 0.0 { 0.0 } else { friction / load };
     all
 }

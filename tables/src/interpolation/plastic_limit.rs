@@ -18,7 +18,7 @@
 //! that is left out of the fit is predicted within 2.1 % (P, root mean square), 2.3 % (A) and 4 % (μ). s and k of P,
 //! `Q_static`, Q/A and G were chosen from the rows of the shipped tables, which a test of `shipped` compares.
 
-use super::nodes::{COEFFICIENT, Errors, Field, Values};
+use super::nodes::{COEFFICIENT, Errors, StateQuantity, Values};
 use crate::quantity::ElasticLimit;
 
 /// q, of L − λ in all uncertainties too.
@@ -199,15 +199,16 @@ impl AboveLastRow {
     /// State above the last rows, whose states at the same s/a₀ are `before` and `last`, and its relative
     /// uncertainty.
     pub(super) fn state(self, before: Option<Values>, last: &Values) -> (Values, Errors) {
-        let rows = |field: Field| (before.map(|row| row[field as usize]), last[field as usize]);
-        let [load, area, friction] = [Field::Load, Field::Area, Field::Friction].map(rows);
+        let rows = |field: StateQuantity| (before.map(|row| row[field as usize]), last[field as usize]);
+        let [load, area, friction] =
+            [StateQuantity::Load, StateQuantity::Area, StateQuantity::Friction].map(rows);
         let mut values = *last;
         let mut uncertainty = Errors::default();
         for (field, growth) in [
-            (Field::Load, self.relaxed(LOAD, load)),
-            (Field::Area, self.relaxed(AREA, area)),
-            (Field::Friction, self.of_friction(friction, area)),
-            (Field::TemperatureRise, self.relaxed(RISE, rows(Field::TemperatureRise))),
+            (StateQuantity::Load, self.relaxed(LOAD, load)),
+            (StateQuantity::Area, self.relaxed(AREA, area)),
+            (StateQuantity::Friction, self.of_friction(friction, area)),
+            (StateQuantity::TemperatureRise, self.relaxed(RISE, rows(StateQuantity::TemperatureRise))),
         ] {
             values[field as usize] *= growth.factor();
             uncertainty[field as usize] = growth.relative();

@@ -1,7 +1,7 @@
 //! Scalars of a table between its points, below its first row and above its last.
 
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, HeatRatio, extrapolated};
-use super::interpolant::Place;
+use super::interpolant::RowPosition;
 use super::nodes::{Absent, OF_PARABOLA, OF_STRAIGHT, blend_with_bend, ends};
 use super::steffen::Location;
 use super::{Interpolant, InterpolatedTable};
@@ -29,41 +29,40 @@ impl InterpolatedTable {
         let of_row = |quantity, origin, row: usize| {
             between(quantity, origin, Location::on(row)).map_or(f64::NAN, |(value, _)| value)
         };
-        let (value, error) =
-            match self.interpolant.place_with_results(rows, interference.ln(), rate).map_err(absent)? {
-                Place::Inside(place) => between(quantity, origin, place).map_err(absent)?,
-                Place::Below(below) => {
-                    let (value, error) = between(quantity, origin, Location::on(first)).map_err(absent)?;
-                    let [load, area] =
-                        [Quantity::Load, Quantity::Area].map(|quantity| of_row(quantity, 0.0, first));
-                    let heat = [Quantity::Load, Quantity::Area].map(|quantity| {
-                        let of = |row, rate| {
-                            self.between(quantity, 0.0, Location::on(row), rate).ok().map(|(value, _)| value)
-                        };
-                        self.interpolant.heat_ratio(rows, quantity == Quantity::Load, of, rate)
-                    });
-                    let slip_rate = self.interpolant.slip_rate_at(rate);
-                    let row =
-                        FirstRow { sphere: &self.interpolant.sphere, below, slip_rate, load, area, heat };
-                    let continued = row.extrapolate(quantity, value);
-                    let factor = if value == 0.0 { 1.0 } else { (continued / value).abs() };
-                    (continued, factor * error + row.uncertainty(quantity, value) * continued.abs())
-                }
-                Place::Above(above) => {
-                    let (value, error) = between(quantity, origin, Location::on(last)).map_err(absent)?;
-                    let rows = |quantity, origin| {
-                        let before = last.checked_sub(1).map(|before| of_row(quantity, origin, before));
-                        (before, of_row(quantity, origin, last))
+        let position = self.interpolant.row_position_with_results(rows, interference.ln(), rate);
+        let (value, error) = match position.map_err(absent)? {
+            RowPosition::Inside(place) => between(quantity, origin, place).map_err(absent)?,
+            RowPosition::Below(below) => {
+                let (value, error) = between(quantity, origin, Location::on(first)).map_err(absent)?;
+                let [load, area] =
+                    [Quantity::Load, Quantity::Area].map(|quantity| of_row(quantity, 0.0, first));
+                let heat = [Quantity::Load, Quantity::Area].map(|quantity| {
+                    let of = |row, rate| {
+                        self.between(quantity, 0.0, Location::on(row), rate).ok().map(|(value, _)| value)
                     };
-                    let [load, area] = [Quantity::Load, Quantity::Area].map(|quantity| rows(quantity, 0.0));
-                    let descriptor = quantity.descriptor();
-                    let (limit, of_press) = (descriptor.elastic_limit, descriptor.of_press);
-                    let growth = above.of_scalar(limit, of_press, rows(quantity, origin), load, area);
-                    let factor = growth.factor();
-                    let relative = growth.relative() * value.abs();
-                    (factor * value, factor * (above.error_factor() * error + relative))
-                }
-            };
+                    self.interpolant.heat_ratio(rows, quantity == Quantity::Load, of, rate)
+                });
+                let slip_rate = self.interpolant.slip_rate_at(rate);
+                let row = FirstRow { sphere: &self.interpolant.sphere, below, slip_rate, load, area, heat };
+                let continued = row.extrapolate(quantity, value);
+                let factor = if value == 0.0 { 1.0 } else { (continued / value).abs() };
+                (continued, factor * error + row.uncertainty(quantity, value) * continued.abs())
+            }
+            RowPosition::Above(above) => {
+                let (value, error) = between(quantity, origin, Location::on(last)).map_err(absent)?;
+                let rows = |quantity, origin| {
+                    let before = last.checked_sub(1).map(|before| of_row(quantity, origin, before));
+                    (before, of_row(quantity, origin, last))
+                };
+                let [load, area] = [Quantity::Load, Quantity::Area].map(|quantity| rows(quantity, 0.0));
+                let descriptor = quantity.descriptor();
+                let (limit, of_press) = (descriptor.elastic_limit, descriptor.of_press);
+                let growth = above.of_scalar(limit, of_press, rows(quantity, origin), load, area);
+                let factor = growth.factor();
+                let relative = growth.relative() * value.abs();
+                (factor * value, factor * (above.error_factor() * error + relative))
+            }
+        };
         let descriptor = quantity.descriptor();
         let exponent = if descriptor.of_press { 0.0 } else { descriptor.elastic_limit.strength_exponent() };
         let of_rate = exponent * self.strength_uncertainty(interference, ratio) * value.abs();
@@ -74,17 +73,17 @@ impl InterpolatedTable {
     /// Whether sliding begins in all cells around a place.
     pub(super) fn begins_around(&self, interference: f64, rate: Location) -> bool {
         let Some(rows @ (first, last)) = self.interpolant.rows else { return true };
-        let place = match self.interpolant.place(rows, interference.ln()) {
-            Place::Inside(place) => place,
-            Place::Below(_) => Location::on(first),
-            Place::Above(_) => Location::on(last),
+        let place = match self.interpolant.row_position(rows, interference.ln()) {
+            RowPosition::Inside(place) => place,
+            RowPosition::Below(_) => Location::on(first),
+            RowPosition::Above(_) => Location::on(last),
         };
         let last_slip = self.interpolant.nodes.last_slip();
         let begins = |i: usize, j: usize| self.cell(i, j).is_none_or(|cell| cell.begins_to_slide(last_slip));
         ends(place).all(|(i, _)| ends(rate).all(|(j, _)| begins(i, j)))
     }
 
-    /// A temperature rise below the first positive slip rate, and its [`bend`](super::low_rates::Growth).
+    /// A temperature rise below the first positive slip rate, and its [`bend`](super::low_rates::RiseFactor).
     fn rise_at_low_rate(
         &self,
         quantity: Quantity,
@@ -97,13 +96,13 @@ impl InterpolatedTable {
             let rise = quantity.above_origin(value(i, j, quantity)?, origin);
             Some([rise, value(i, j, Quantity::Friction)?])
         };
-        let growth = self.interpolant.growth_of_rise(i, rate, of).filter(|_| quantity.is_temperature())?;
+        let low_rate = self.interpolant.rise_factor(i, rate, of).filter(|_| quantity.is_temperature())?;
         let friction = |j: usize| value(i, j, Quantity::Friction).ok_or((i, j));
         let (now, _) = blend_with_bend(&self.interpolant.rate_coordinate, rate, friction).ok()?;
         let [rise, first] = of(i, 1)?;
         let straight = rise * rate.t * now / first;
-        let rise = growth.factor * straight;
-        Some((rise, growth.bend * rise.abs()))
+        let rise = low_rate.factor * straight;
+        Some((rise, low_rate.bend * rise.abs()))
     }
 
     /// (value above `origin`, error) at the radius of the table and inside its rows.

@@ -32,7 +32,7 @@ impl MemoryFile {
     pub(super) fn into_bytes(self) -> Result<Vec<u8>, String> {
         self.file.sync().map_err(|error| error.to_string())?;
         let mut bytes = image(&self.name).ok_or("the HDF5 library does not yield the file")?;
-        superblock::seal(&mut bytes).ok_or("the HDF5 library yields a part of the file")?;
+        superblock::write_checksum(&mut bytes).ok_or("the HDF5 library yields a part of the file")?;
         self.file.close().map_err(|error| error.to_string())?;
         Ok(bytes)
     }

@@ -8,7 +8,7 @@
 const LENGTH: usize = 44;
 
 /// Writes the checksum of the superblock at the beginning of a file.
-pub(super) fn seal(file: &mut [u8]) -> Option<()> {
+pub(super) fn write_checksum(file: &mut [u8]) -> Option<()> {
     let (superblock, rest) = file.split_at_mut_checked(LENGTH)?;
     rest.get_mut(..4)?.copy_from_slice(&lookup3(superblock).to_le_bytes());
     Some(())
