@@ -8,7 +8,7 @@ use tables::law::{AsperityLaw, covers};
 
 /// A topography with another cut-off.
 #[derive(Clone, Debug)]
-pub struct AtCutoff {
+pub struct PredictionAtCutoff {
     /// m.
     pub cutoff: f64,
     /// Summits per nominal area, 1/m².
@@ -22,7 +22,7 @@ pub struct AtCutoff {
     pub friction: Vec<Result<Vec<Option<Friction>>, PredictionError>>,
 }
 
-impl AtCutoff {
+impl PredictionAtCutoff {
     /// The `prediction` of the `surface` of a topography with a cut-off (m), and those of the surfaces of `others`, by
     /// ascending cut-off.
     pub fn around(

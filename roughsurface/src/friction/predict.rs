@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::{AsperityLaw, Estimate};
 
 /// Row (pressure or separation) and slip rate.
-type Cell = (usize, usize);
+type RowAndRate = (usize, usize);
 
 /// Predicts the friction of `surface` from the `law` of its asperities.
 ///
@@ -30,8 +30,8 @@ pub fn predict(
 ) -> Result<Prediction, PredictionError> {
     let sweep = Sweep::new(law, surface, query, settings)?;
     let (rows, rates) = (query.loading.values().len(), query.slip_rates.len());
-    let cells: Vec<Cell> = (0..rows).flat_map(|row| (0..rates).map(move |rate| (row, rate))).collect();
-    let place = |(row, rate): Cell| row * rates + rate;
+    let cells: Vec<RowAndRate> = (0..rows).flat_map(|row| (0..rates).map(move |rate| (row, rate))).collect();
+    let place = |(row, rate): RowAndRate| row * rates + rate;
     let pressed = in_order(&cells, |&(row, rate)| sweep.press(row, rate))?;
     let grid = |row: &[PressedSurface]| slip_grid(loaded_radii(row), settings.slip_points);
     let (slip, slips) = (grid(&pressed), pressed.chunks(rates).map(grid).collect::<Vec<_>>());
@@ -48,7 +48,7 @@ pub fn predict(
     let (sliding, lasting) = (of_all_ages(query.contact_life)?, of_all_ages(ContactLife::Steady)?);
 
     let mut warnings = Vec::new();
-    let mut evaluated = |cell: Cell, curve: Vec<SlipState>| {
+    let mut evaluated = |cell: RowAndRate, curve: Vec<SlipState>| {
         let (place, slips) = (place(cell), &slips[cell.0]);
         let (contacts, sliding, lasting) = (contacts[place], sliding[place], lasting[place]);
         let slide = SurfaceSlide { curve, contacts, sliding, lasting };

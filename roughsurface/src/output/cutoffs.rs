@@ -1,7 +1,7 @@
 //! The influence of the cut-off of a topography, in `friction.nc`, in JSON and as rows of a table.
 
 use crate::friction::Friction;
-use crate::friction::cutoff::AtCutoff;
+use crate::friction::cutoff::PredictionAtCutoff;
 use crate::friction::quantities::SurfaceQuantity;
 use crate::output::figure::chosen;
 use crate::output::result_tables::{Rows, head};
@@ -14,7 +14,7 @@ use tables::netcdf::{DatasetError, DatasetWriter, described};
 const SHOWN: [&str; 2] = ["mu_static", "mu"];
 
 /// A parameter of the summits: name, unit, meaning, formula.
-type Summit = (&'static str, &'static str, &'static str, fn(&AtCutoff) -> f64);
+type Summit = (&'static str, &'static str, &'static str, fn(&PredictionAtCutoff) -> f64);
 const SUMMITS: [Summit; 3] = [
     ("asperity_density", "m-2", "summits per nominal area", |at| at.asperity_density),
     ("asperity_radius", "m", "radius of the summits", |at| at.asperity_radius),
@@ -25,7 +25,7 @@ const SUMMITS: [Summit; 3] = [
 const OUTSIDE: &str = "outside table";
 
 /// Values of a quantity in all cells, row by row; unknown where there are none.
-fn estimates(quantity: &SurfaceQuantity, at: &AtCutoff, rates: usize) -> Vec<Estimate> {
+fn estimates(quantity: &SurfaceQuantity, at: &PredictionAtCutoff, rates: usize) -> Vec<Estimate> {
     let of =
         |cell: &Option<Friction>| cell.as_ref().map_or(Estimate::UNKNOWN, |cell| quantity.estimate(cell));
     let row = |row: &Result<Vec<Option<Friction>>, _>| match row {
@@ -38,7 +38,7 @@ fn estimates(quantity: &SurfaceQuantity, at: &AtCutoff, rates: usize) -> Vec<Est
 /// Variables over the dimension `cutoff`.
 pub(super) fn write(
     file: &mut DatasetWriter,
-    cutoffs: &[AtCutoff],
+    cutoffs: &[PredictionAtCutoff],
     grid: &[&str; 2],
     rates: usize,
 ) -> Result<(), DatasetError> {
@@ -53,7 +53,7 @@ pub(super) fn write(
         file.reals(&format!("{name}_cutoff"), &["cutoff"], &values, &described(unit, &long_name))?;
     }
     for quantity in SHOWN.map(SurfaceQuantity::named) {
-        let of = |at: &AtCutoff| estimates(quantity, at, rates);
+        let of = |at: &PredictionAtCutoff| estimates(quantity, at, rates);
         let values: Vec<f64> = cutoffs.iter().flat_map(of).map(|estimate| estimate.value).collect();
         let name = format!("{}_cutoff", quantity.name);
         let long_name = format!("{}, by cut-off", quantity.long_name);
@@ -64,8 +64,8 @@ pub(super) fn write(
 
 /// As JSON, each number with its unit: the summits, whose errors are unknown, and the results of every cell in the order
 /// of `friction`, and why there are none in some.
-pub(super) fn json(cutoffs: &[AtCutoff], rates: usize) -> Value {
-    let of = |at: &AtCutoff| {
+pub(super) fn json(cutoffs: &[PredictionAtCutoff], rates: usize) -> Value {
+    let of = |at: &PredictionAtCutoff| {
         let exact = Estimate::exact;
         let mut entry = json!({ "cutoff": exact(at.cutoff).in_unit("m") });
         for (name, unit, _, value) in SUMMITS {

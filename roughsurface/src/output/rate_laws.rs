@@ -12,8 +12,8 @@ use tables::numbers::digits;
 type Fit = Result<RateLaw, NoFit>;
 
 /// A parameter with an error: name, unit, meaning.
-type Parameter = (&'static str, &'static str, &'static str, fn(&RateLaw) -> Estimate);
-const CHOSEN: [Parameter; 4] = [
+type FitParameter = (&'static str, &'static str, &'static str, fn(&RateLaw) -> Estimate);
+const CHOSEN: [FitParameter; 4] = [
     ("rate_mu_0", "1", "friction coefficient at low slip rate, rate law", |law| law.mu_0),
     ("rate_mu_inf", "1", "friction coefficient at high slip rate, rate law", |law| law.plateau),
     ("rate_V_star", "m s-1", "slip rate at which half of the fall of friction is left, rate law", |law| {
@@ -21,7 +21,7 @@ const CHOSEN: [Parameter; 4] = [
     }),
     ("rate_exponent", "1", "exponent of the slip rate, rate law", |law| law.exponent),
 ];
-const FLASH_HEATING: [Parameter; 3] = [
+const FLASH_HEATING: [FitParameter; 3] = [
     ("mu_0", "1", "friction coefficient at low slip rate, flash-heating fit", |law| law.mu_0),
     ("mu_w", "1", "friction coefficient of fully weakened contacts, flash-heating fit", |law| law.plateau),
     ("V_w", "m s-1", "slip rate at which weakening starts, flash-heating fit", |law| law.velocity),
@@ -62,7 +62,7 @@ fn variables(
     file: &mut DatasetWriter,
     row: &str,
     fits: &[&Fit],
-    parameters: &[Parameter],
+    parameters: &[FitParameter],
     prefix: &str,
 ) -> Result<(), DatasetError> {
     let unknown = Estimate::UNKNOWN;
@@ -102,7 +102,7 @@ pub(super) fn flash_heating_json(row: &str, load: f64, laws: &RateLaws) -> Value
     fit(row, load, &laws.flash_heating, &FLASH_HEATING)
 }
 
-fn fit(row: &str, load: f64, fit: &Fit, parameters: &[Parameter]) -> Value {
+fn fit(row: &str, load: f64, fit: &Fit, parameters: &[FitParameter]) -> Value {
     let law = match fit {
         Ok(law) => law,
         Err(reason) => return json!({row: load, "not_fitted": reason.to_string()}),

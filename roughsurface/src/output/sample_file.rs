@@ -78,7 +78,7 @@ pub fn write(path: &Path, samples: &Samples, origin: &Origin) -> Result<(), Data
 }
 
 /// Friction and contacts at one load and slip rate.
-struct Cell {
+struct SampledFriction {
     /// Pa or m.
     load: f64,
     /// m/s.
@@ -89,13 +89,13 @@ struct Cell {
     contacts: Scatter,
 }
 
-fn cells(samples: &Samples) -> impl Iterator<Item = Cell> {
+fn cells(samples: &Samples) -> impl Iterator<Item = SampledFriction> {
     let states = samples.states.iter().zip(&samples.infinite);
     samples.query.cells().zip(states).map(|((load, slip_rate), (surfaces, infinite))| {
         let mu = Scatter::of(surfaces.iter().map(|one| one.state.mu.value)).not_negative();
         let bias = mu.mean - infinite.map_or(f64::NAN, |infinite| infinite.state.mu.value);
         let contacts = Scatter::of(surfaces.iter().map(|one| one.contacts)).not_negative();
-        Cell { load, slip_rate, mu, bias, contacts }
+        SampledFriction { load, slip_rate, mu, bias, contacts }
     })
 }
 
@@ -112,7 +112,7 @@ pub fn text(samples: &Samples) -> String {
          {head:>width$}   slip rate [m/s]                  mean mu        bias   mu of one surface   contacts\n",
         samples.sampling.realizations, samples.sampling.asperities
     );
-    for Cell { load, slip_rate, mu, bias, contacts } in cells(samples) {
+    for SampledFriction { load, slip_rate, mu, bias, contacts } in cells(samples) {
         let _ = writeln!(
             text,
             "{load:>width$.3e}   {:>15}   {:>22}   {:>9}   {:>9} to {}   {:.0} to {:.0}",
@@ -140,7 +140,7 @@ fn scatter(scatter: Scatter) -> Value {
 /// The samples as JSON.
 pub fn json(samples: &Samples) -> Value {
     let row = row_key(&samples.query.loading);
-    let cells = cells(samples).map(|Cell { load, slip_rate, mu, bias, contacts }| {
+    let cells = cells(samples).map(|SampledFriction { load, slip_rate, mu, bias, contacts }| {
         let mut friction = scatter(mu);
         friction["bias"] = json!(bias);
         json!({row: load, "slip_rate": slip_rate, "mu": friction, "contacts": scatter(contacts)})

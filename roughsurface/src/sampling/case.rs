@@ -5,13 +5,13 @@ use std::path::Path;
 use super::finite_surface::{Samples, Sampling, sample};
 use super::uncertainty::{Propagated, UncertaintyError, propagate};
 use crate::friction::comparison::{Comparison, caveat, compare};
-use crate::friction::cutoff::AtCutoff;
+use crate::friction::cutoff::PredictionAtCutoff;
 use crate::friction::warning::Warning;
 use crate::friction::{Prediction, PredictionError, Settings, predict};
 use crate::integral::law_source::{LawSource, LawSourceError};
 use crate::surface::file::{SurfaceFile, SurfaceFileError};
 use crate::surface::query::{NormalLoading, Query, Surface};
-use crate::topography::characterize::{Characterization, SummitsAt};
+use crate::topography::characterize::{Characterization, SummitsAtCutoff};
 use crate::topography::report;
 use tables::closed_forms::ElasticPlastic;
 use tables::netcdf::input::Override;
@@ -26,7 +26,7 @@ pub struct Results {
     /// Predictions of the same surface with asperities after models of the literature.
     pub comparisons: Vec<Comparison>,
     /// Predictions of the same topography with other cut-offs, by ascending cut-off; none for a surface file.
-    pub cutoffs: Vec<AtCutoff>,
+    pub cutoffs: Vec<PredictionAtCutoff>,
     /// Changes of the results with the uncertain parameters.
     pub propagated: Option<Propagated>,
     /// Initial temperature of asperities and flat, K: that of the query, or the only one of the table.
@@ -210,7 +210,7 @@ impl Case {
         }
         if let Some(measured) = &self.measured {
             let (here, others) = ((measured.cutoff, surface), self.at_other_cutoffs(measured));
-            results.cutoffs = AtCutoff::around(here, others, law, &results.prediction, &settings);
+            results.cutoffs = PredictionAtCutoff::around(here, others, law, &results.prediction, &settings);
         }
         results.comparisons = compare(compared, &source.material, surface, query, &settings)?;
         let models = compared.iter().map(String::as_str).chain(self.table.strip_prefix("model:"));
@@ -224,7 +224,7 @@ impl Case {
 
     /// The surface with other cut-offs of the topography (m), and the same keys in place of those of the summits.
     fn at_other_cutoffs(&self, measured: &Characterization) -> Vec<(f64, Surface)> {
-        let surface = |SummitsAt { cutoff, summits }| {
+        let surface = |SummitsAtCutoff { cutoff, summits }| {
             let file = self.file.with_text(report::sections_of(&summits)).ok()?;
             Some((cutoff, file.surface))
         };

@@ -57,7 +57,7 @@ pub struct Characterization {
     /// R with twice the cut-off over R, the influence of the cut-off; none where the topography does not allow that.
     pub radius_at_twice_the_cutoff: Option<f64>,
     /// Moments and summits with half and with twice the cut-off, where the topography allows it.
-    pub other_cutoffs: Vec<AtCutoff>,
+    pub other_cutoffs: Vec<MomentsAtCutoff>,
     /// Together with the rough face on the other side.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub two_faces: Option<Box<TwoFaces>>,
@@ -69,7 +69,7 @@ pub struct Characterization {
 
 /// Moments and summits with another cut-off.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-pub struct AtCutoff {
+pub struct MomentsAtCutoff {
     /// m.
     pub cutoff: f64,
     pub moments: Moments,
@@ -84,12 +84,12 @@ pub struct TwoFaces {
     pub moments: Isotropic,
     pub summits: Nayak,
     /// Summits with half and with twice the cut-off, where both topographies allow it.
-    pub other_cutoffs: Vec<SummitsAt>,
+    pub other_cutoffs: Vec<SummitsAtCutoff>,
 }
 
 /// Summits in contact with another cut-off.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-pub struct SummitsAt {
+pub struct SummitsAtCutoff {
     /// m.
     pub cutoff: f64,
     pub summits: Nayak,
@@ -105,8 +105,8 @@ impl Characterization {
     }
 
     /// Summits with other cut-offs, of both faces together where there are two.
-    pub fn summits_at_other_cutoffs(&self) -> Vec<SummitsAt> {
-        let of_face = |at: &AtCutoff| SummitsAt { cutoff: at.cutoff, summits: at.summits };
+    pub fn summits_at_other_cutoffs(&self) -> Vec<SummitsAtCutoff> {
+        let of_face = |at: &MomentsAtCutoff| SummitsAtCutoff { cutoff: at.cutoff, summits: at.summits };
         match &self.two_faces {
             Some(both) => both.other_cutoffs.clone(),
             None => self.other_cutoffs.iter().map(of_face).collect(),
@@ -157,9 +157,9 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
     let other = |cutoff: f64| {
         let is_allowed = (shortest..=longest).contains(&cutoff);
         let moments = is_allowed.then(|| moments_at(cutoff))?;
-        Nayak::of(&moments.isotropic).map(|summits| AtCutoff { cutoff, moments, summits })
+        Nayak::of(&moments.isotropic).map(|summits| MomentsAtCutoff { cutoff, moments, summits })
     };
-    let other_cutoffs: Vec<AtCutoff> =
+    let other_cutoffs: Vec<MomentsAtCutoff> =
         [0.5, 2.0].into_iter().filter_map(|factor| other(factor * cutoff)).collect();
     let longer = other_cutoffs.iter().find(|other| other.cutoff > cutoff);
     let areal_slope = (!topography.is_profile()).then(|| (2.0 * moments.m2).sqrt());

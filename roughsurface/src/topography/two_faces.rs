@@ -2,7 +2,7 @@
 //! the same gap (Greenwood & Tripp 1970, doi 10.1243/PIME_PROC_1970_185_069_02).
 
 use super::Topography;
-use super::characterize::{Characterization, Options, SummitsAt, TwoFaces, characterize, summits_of};
+use super::characterize::{Characterization, Options, SummitsAtCutoff, TwoFaces, characterize, summits_of};
 use super::nayak::Nayak;
 use super::warning::Warning;
 use tables::numbers::plain;
@@ -59,7 +59,7 @@ pub fn on_each_other(
     let other_cutoffs = face.other_cutoffs.iter().filter_map(|at| {
         let other = other_face.other_cutoffs.iter().find(|other| other.cutoff == at.cutoff)?;
         let summits = Nayak::of(&at.moments.of_sum(&other.moments, false))?;
-        Some(SummitsAt { cutoff: at.cutoff, summits })
+        Some(SummitsAtCutoff { cutoff: at.cutoff, summits })
     });
     let other_cutoffs = other_cutoffs.collect();
     face.warnings.extend(other_face.warnings.iter().cloned().map(Box::new).map(Warning::OtherFace));

@@ -51,7 +51,7 @@ const KEPT: usize = 0;
 const PASSING: usize = 1;
 
 /// Tree and index of a panel.
-type Place = (usize, usize);
+type PanelIndex = (usize, usize);
 
 /// A panel between kinks of the law, sampled only where there are summits: a table may have missing cells
 /// elsewhere.
@@ -75,7 +75,7 @@ enum Fit {
 
 #[derive(Clone, Copy)]
 struct Leaf {
-    place: Place,
+    place: PanelIndex,
     value: Sums,
     error: Errors,
 }
@@ -211,7 +211,7 @@ impl<'a> HeightIntegral<'a> {
         &mut self,
         separation: f64,
         (negligible, reach): (f64, f64),
-    ) -> Result<Vec<Place>, LookupError> {
+    ) -> Result<Vec<PanelIndex>, LookupError> {
         let mut panels = Vec::new();
         let critical = self.asperity.critical_interference();
         let (lowest, highest) = self.heights.support();
@@ -240,7 +240,7 @@ impl<'a> HeightIntegral<'a> {
     }
 
     /// How a panel fits the density at `separation` (m), with the bound of [`weight`](Self::weight).
-    fn fit(&self, (tree, index): Place, separation: f64, negligible: f64) -> Fit {
+    fn fit(&self, (tree, index): PanelIndex, separation: f64, negligible: f64) -> Fit {
         let critical = self.asperity.critical_interference();
         let (lowest, highest) = self.heights.support();
         let Panel { from, to, too_coarse, .. } = self.trees[tree].panels[index];
@@ -278,7 +278,7 @@ impl<'a> HeightIntegral<'a> {
         [lowest, highest].map(root).into_iter().find(inside).map_or(Fit::Fine, Fit::CutAt)
     }
 
-    fn leaf(&self, place @ (tree, index): Place, separation: f64) -> Leaf {
+    fn leaf(&self, place @ (tree, index): PanelIndex, separation: f64) -> Leaf {
         let with_additional = self.asperity.has_additional();
         let (value, error) = self.trees[tree].integral(index, self.heights, separation, with_additional);
         Leaf { place, value, error }
