@@ -22,13 +22,13 @@ pub struct SurfaceQuantity {
 
 /// How a quantity is found in the results of a cell.
 pub enum Source {
-    /// In the state while sliding.
+    /// From the state in steady sliding.
     SteadySliding(fn(&SlipState) -> Estimate),
-    /// In the results of the whole slide.
+    /// From the results of the whole slide.
     WholeSlide(fn(&Friction) -> Estimate),
-    /// In the results of the whole slide, where the law states it.
+    /// From the results of the whole slide, where the law states it.
     WhereKnown(fn(&Friction) -> Option<Estimate>),
-    /// A share, without an error.
+    /// A share from the results of the whole slide, without an error.
     Share(fn(&Friction) -> f64),
 }
 
@@ -140,7 +140,7 @@ impl SurfaceQuantity {
         }
     }
 
-    /// As [`of`](Self::of), NaN where it is unknown.
+    /// Value and error; NaN where the law does not state it.
     pub fn estimate(&self, friction: &Friction) -> Estimate {
         self.of(friction).unwrap_or(Estimate::UNKNOWN)
     }

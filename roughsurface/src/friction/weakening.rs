@@ -14,7 +14,7 @@ struct Weakening {
     released: Estimate,
 }
 
-/// None without a peak above the end, and where friction between them is lower than at the end in the mean.
+/// Weakening of a curve; none without a peak above the end, and where friction between them is lower than at the end in the mean.
 ///
 /// Errors of μ at different slips come from the same asperities: only their change along the curve counts
 /// fully, besides the same relative error of the whole. The error of the slip grid is the difference from

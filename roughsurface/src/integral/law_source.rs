@@ -239,8 +239,7 @@ fn effusivity(scene: &toml::Table, temperature: f64) -> Option<f64> {
     of("material").into_iter().chain(of("counterface")).reduce(f64::min)
 }
 
-/// Time of sliding inception of the asperity of a scene over that of a shear wave; `combined` has the modulus of the elastic
-/// counterface as well, which is displaced too.
+/// Time of sliding inception as in [`partial_slip::inception_time`]; `combined` has the modulus of the elastic counterface too.
 fn inception_time(scene: &toml::Table, combined: &ElasticPlastic, temperature: f64) -> Option<f64> {
     let [youngs, density] =
         ["youngs_modulus", "density"].map(|key| number(scene, &["material", key], temperature));

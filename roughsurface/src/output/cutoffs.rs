@@ -62,7 +62,7 @@ pub(super) fn write(
     Ok(())
 }
 
-/// As JSON, each number with its unit: the summits, whose errors are unknown, and the results of every cell in the order
+/// Results at other cut-offs as JSON, each number with its unit: the summits, whose errors are unknown, and the results of every cell in the order
 /// of `friction`, and why there are none in some.
 pub(super) fn json(cutoffs: &[PredictionAtCutoff], rates: usize) -> Value {
     let of = |at: &PredictionAtCutoff| {

@@ -5,7 +5,7 @@ use clap::ValueEnum;
 use tables::law::Estimate;
 use tables::netcdf::{DatasetError, DatasetWriter, described};
 
-/// Where a result comes from, as written to the global attributes.
+/// Origin of a result, as written to the global attributes.
 #[derive(Clone, Debug)]
 pub struct Origin<'a> {
     /// Text of the surface file.

@@ -48,7 +48,8 @@ pub(super) fn write(
     with_error(file, "mu_since_step", &[row, "slip_since_step"], meaning, &mu)
 }
 
-/// Both slip rates, and the numbers of each pressure or separation in their order.
+/// The response to a step of the slip rate as JSON: both slip rates, and the numbers of each pressure or separation in their
+/// order.
 pub(super) fn json(response: Option<&RateStepResponse>) -> Value {
     let Some(RateStepResponse { rates: [before, after], slip, rows }) = response else { return Value::Null };
     let entry = |stepped: &Stepped| -> Value {

@@ -19,7 +19,7 @@ pub enum WhichSummits {
     Found,
 }
 
-/// As lines of text.
+/// The characterization as lines of text.
 pub fn text(found: &Characterization) -> String {
     let Some(both) = &found.two_faces else { return text_of_face(found) };
     let mut text =
@@ -114,7 +114,7 @@ fn text_of_face(found: &Characterization) -> String {
     text
 }
 
-/// As JSON; `units` has the unit of every number at its place.
+/// The characterization as JSON; `units` has the unit of every number at its place.
 pub fn json(found: &Characterization) -> Value {
     let mut value = json!(found);
     value["units"] = units(found);

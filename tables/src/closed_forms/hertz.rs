@@ -100,7 +100,7 @@ pub fn stresses(poisson_ratio: f64, [r, z]: [f64; 2]) -> [f64; 4] {
     [radial, hoop, -ratio.powi(3) * fall, -r * z * z / (u * u + z * z) * root / (1.0 + u)]
 }
 
-/// Where the von Mises stress on the axis is largest: z/a.
+/// Depth z/a at which the von Mises stress on the axis is largest.
 pub fn first_yield_depth(poisson_ratio: f64) -> f64 {
     // The derivative of σ_r − σ_z along the axis changes sign once between surface and z = a.
     let slope = |s: f64| {

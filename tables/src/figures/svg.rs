@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::canvas::{Anchor, Color, Mark, Page, Point, runs};
 
-/// Of the viewer, the first that it has.
+/// Fonts, of which a viewer takes the first that it has.
 const FONTS: &str = "DejaVu Sans, Verdana, Arial, Helvetica, sans-serif";
 
 pub(super) fn svg(page: &Page) -> String {

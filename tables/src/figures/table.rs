@@ -191,7 +191,7 @@ fn between(points: &[f64]) -> Vec<f64> {
     all
 }
 
-/// At most [`MOST_CURVES`] of the given number of curves, including the first and the last.
+/// Numbers of at most [`MOST_CURVES`] of the given number of curves, including the first and the last.
 fn selection(number: usize) -> impl Iterator<Item = usize> {
     let shown = number.min(MOST_CURVES);
     let last = number.saturating_sub(1);

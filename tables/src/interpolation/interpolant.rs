@@ -24,7 +24,7 @@ pub(super) struct Interpolant {
     pub(super) rows: Option<(usize, usize)>,
     /// ln a₀ of each row, a₀ in m; NaN for rows without results.
     pub(super) log_contact_radius: Vec<f64>,
-    /// Its slopes against ln ω.
+    /// Slopes of `log_contact_radius` against ln ω.
     pub(super) log_contact_radius_slope: Vec<f64>,
     pub(super) sphere: ElasticSphere,
     /// ln ω at which the contact radius is the largest that the sphere allows, at least that of the last row.

@@ -71,7 +71,7 @@ fn line(mut bytes: impl Read) -> io::Result<Vec<u8>> {
     Ok(line)
 }
 
-/// Where the data end, if this is the beginning of an HDF5 file as netCDF writes them.
+/// Byte at which the data end, if this is the beginning of an HDF5 file as netCDF writes them.
 fn stated_length(head: &[u8]) -> Option<u64> {
     let known = head.starts_with(SUPERBLOCK)
         && SUPERBLOCK_VERSIONS.contains(head.get(SUPERBLOCK.len())?)

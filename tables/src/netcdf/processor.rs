@@ -37,7 +37,7 @@ fn print(text: &CStr) {
     let _ = std::io::stderr().write_all(text.to_bytes());
 }
 
-/// Its name with whether the program uses it and whether the processor has it.
+/// Name of an instruction set, whether the program uses it and whether the processor has it.
 type InstructionSet = (&'static CStr, bool, bool);
 
 /// The first that the program uses and the processor lacks.

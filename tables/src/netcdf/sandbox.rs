@@ -73,7 +73,7 @@ fn program() -> std::io::Result<OsString> {
     if own.exists() { Ok(own.into()) } else { std::env::current_exe().map(Into::into) }
 }
 
-/// Its status; none if it took too long.
+/// Exit status of the copy; none if it took too long.
 fn wait(copy: &mut Child) -> std::io::Result<Option<std::process::ExitStatus>> {
     let start = Instant::now();
     while start.elapsed() < TIME {

@@ -27,13 +27,13 @@ pub use words::{hint, nearest, values_by_path};
 /// Where the history of a quantity is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stored {
-    /// It has none.
+    /// There is no history.
     No,
-    /// In `run.nc`, over the increments of the press.
+    /// The history is in `run.nc`, over the increments of the press.
     Press,
-    /// In `run.nc`, over the increments of the slide.
+    /// The history is in `run.nc`, over the increments of the slide.
     Run,
-    /// In `run.nc` as well as in `table.nc`, there over the slip axis.
+    /// The history is in `run.nc` as well as in `table.nc`, there over the slip axis.
     RunAndTable,
 }
 
@@ -41,7 +41,7 @@ pub enum Stored {
 /// heat, sliding friction does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ElasticLimit {
-    /// It is no scalar of a table.
+    /// None: the quantity is no scalar of a table.
     None,
     /// Hertz's load.
     Load,
@@ -136,7 +136,7 @@ impl Quantity {
     pub const TABLE_HISTORIES: [Quantity; list::count(list::Selection::TableHistories)] =
         list::select(list::Selection::TableHistories);
 
-    /// Its entry of the list.
+    /// Entry of the quantity in the list.
     pub const fn descriptor(self) -> &'static Descriptor {
         &list::LIST[self as usize]
     }

@@ -21,7 +21,7 @@ use tables::law::Estimate;
 pub struct Form {
     /// Name in files.
     pub name: &'static str,
-    /// As a formula.
+    /// The form as a formula.
     pub formula: &'static str,
     /// n where it is not fitted.
     exponent: Option<f64>,

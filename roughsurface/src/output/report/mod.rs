@@ -137,7 +137,7 @@ pub fn html(results: &Results, origin: &Origin) -> String {
     page
 }
 
-/// Where the constants of the material come from.
+/// Sentence on the source of the constants of the material.
 fn material(origin: &Origin) -> String {
     match origin.table.strip_prefix("model:") {
         Some(model) => {

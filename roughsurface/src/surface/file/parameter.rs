@@ -6,12 +6,12 @@ use crate::surface::messages::allowed;
 /// A parameter that may be uncertain.
 #[derive(Debug)]
 pub struct Parameter {
-    /// Its key in the section `uncertainty`.
+    /// Key of the parameter in the section `uncertainty`.
     pub key: &'static str,
     /// Whether it belongs to the material, which a table brings with it.
     pub is_of_material: bool,
     std: fn(&UncertaintyKeys) -> Option<f64>,
-    /// Its value, if the file has it: of a distribution of radii, the mean.
+    /// Value of the parameter, if the file has it: of a distribution of radii, the mean.
     pub(super) value: fn(&mut FileKeys) -> Option<&mut f64>,
 }
 

@@ -24,7 +24,7 @@ impl Empirical {
             .then_some(Self { heights, std: variance.sqrt() })
     }
 
-    /// Some of the heights (m) of a set of this standard deviation, be they equal, one or none.
+    /// A part of a set of heights (m) with the standard deviation `std` (m) of the set; the heights may be equal, one or none.
     pub(crate) fn part(mut heights: Vec<f64>, std: f64) -> Self {
         heights.sort_unstable_by(|one, other| other.total_cmp(one));
         Self { heights, std }
