@@ -21,7 +21,6 @@ from .common import (
     program,
     signed,
     table,
-    timed,
     value,
 )
 
@@ -219,35 +218,6 @@ def peers():
         "MB",
     ]
     return table(head, lines) + "\n" + machine().replace("Machine", "Machine of asperity")
-
-
-@block("times", 12, by_name=True)
-def times():
-    """Processor time of single runs."""
-    cases = [(f"default accuracy, {omega} ω_c", {"loading__interference": omega}) for omega in (1, 20, 100)]
-    fine = {"numerics__elements_per_radius": 16, "numerics__sectors": 8}
-    cases += [
-        (f"16 elements, 8 angles, 20 ω_c, {strain} strain", {**fine, "model__kinematics": strain})
-        for strain in ("small", "finite")
-    ]
-    rows = []
-    for name, settings in cases:
-        run, seconds, memory = timed("run", SINGLE, threads=1, **settings)
-        main = seconds * run["timings"]["main_run"] / run["timings"]["total"]
-        account = run["account"]
-        rows.append(
-            [
-                name,
-                account["elements_per_radius"],
-                account["sectors"],
-                account["unknowns"],
-                f"{main:.1f}",
-                f"{seconds:.1f}",
-                f"{memory:.0f}",
-            ]
-        )
-    head = ["case", "$n_c$", r"$N_\theta$", "unknowns", "main run (s)", "with errors (s)", "MB"]
-    return table(head, rows) + "\n" + machine()
 
 
 @block("scaling", 55, by_name=True)
