@@ -1,7 +1,7 @@
 //! Laws of the tangential traction on the contact, as data.
 //!
-//! To add a law: its variant here, with the properties below, its parameters in the list of keys (`file/keys.rs`), and its
-//! limit of the shear traction (`interface/friction_law.rs`); the compiler requires all of them but the keys.
+//! To add a law: its variant here, with the properties below, and its limit of the shear traction
+//! (`interface/friction_law.rs`), which the compiler requires; its keys, tests and pages are listed in CONTRIBUTING.md.
 
 use serde::{Deserialize, Serialize};
 

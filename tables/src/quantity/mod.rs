@@ -4,7 +4,7 @@
 //! radius of the asperity and with the material, and how it is stored: as a scalar of a run and of a table, as a history
 //! of the press, of the slide or of a table. Run file, summary, table and CSV loop
 //! over this list. To add an output, add an entry here and the formula that computes it in
-//! `asperity`.
+//! `asperity`; CONTRIBUTING.md lists the files. A scalar that is added to a released version is `optional`.
 //!
 //! Results are [`Scalars`] and [`History`], keyed by [`Quantity`]; [`numbers`] writes them as text. [`plausible`] has the
 //! ranges of input quantities, [`functions`] has bisection and linear interpolation. Depends on no other room. Chapter "What
