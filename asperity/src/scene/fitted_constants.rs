@@ -168,6 +168,8 @@ pub(crate) mod mean_errors {
     ///   steel at 140 and 10; asperities of 1 mm on a body of the same metal.
     /// - Residual: of these in turn, `mu_static` −5.3, −6.5, −6.8, −4.8, −4.5, −1.2 % before, −0.2, −0.9, −2.5, −1.4, +0.1, −0.3 % after. Of
     ///   eight scenes above 300 ω_c in the third set of `studies::effectivity`, root mean square 3.2 % before and 1.5 % after.
+    ///   Two scenes that were not used, 304 steel at 300 ω_c and 3 m/s and 1045 steel at 900 ω_c and 2 m/s: −2.5, −1.9 % before,
+    ///   −0.5, +0.3 % after.
     /// - Repeated by: `asperity run` with numerics.elements_per_radius and numerics.sectors.
     pub mod at_high_peclet_number {
         use super::MeanError;
