@@ -160,7 +160,7 @@ pub(crate) mod mean_errors {
     /// Load of press and slide.
     pub const LOAD: MeanError = MeanError { mesh: [0.001, 0.001, 0.0, -0.005, -0.012], angles: [0.0; 5] };
     /// What sliding inception lacks in addition where the layer heated before it is thin beside the contact, in proportion to Va/κ
-    /// up to [`at_high_peclet_number::FULL`], under the shear strength.
+    /// up to [`at_high_peclet_number::FULL`], under a shear strength that heat lowers.
     ///
     /// - Fitted: values at the largest interference, those at 100 ω_c and below being zero; rounded.
     /// - Data: differences between runs with 10 elements and 4 angles, three times the elements, and four times the angles. Carbon
@@ -175,6 +175,8 @@ pub(crate) mod mean_errors {
         use super::MeanError;
 
         pub const FULL: f64 = 100.0;
+        /// Interference over ω_c from which on the terms are constant: beyond, no scene was compared.
+        pub const DEEPEST: f64 = 2000.0;
         pub const ENERGY: MeanError =
             MeanError { mesh: [0.0, 0.0, 0.0, 0.0, 0.02], angles: [0.0, 0.0, 0.0, 0.0, 0.14] };
         pub const INCEPTION_SLIP: MeanError =

@@ -72,9 +72,15 @@ impl<'a> Conditions<'a> {
         Resolution { thermal_layer_refinements: self.thermal_layer_refinements, ..*resolution }
     }
 
-    /// Va/κ of the fastest step, with the contact radius after the press; 0 without heat.
-    pub fn peclet_number(&self) -> f64 {
-        self.speed * self.pressed.contact_radius
+    /// Va/κ of the first step, in which sliding begins, with the contact radius after the press; 0 where heat does not soften the
+    /// interface before.
+    pub fn peclet_number_at_inception(&self) -> f64 {
+        if self.softening_at_inception() == 0.0 {
+            return 0.0;
+        }
+        let Pressed { problem, contact_radius, .. } = self.pressed;
+        let slip_rate = self.programme.first().map_or(0.0, |step| step.slip_rate().abs());
+        slip_rate / problem.units.speed() * contact_radius
     }
 
     /// Whether the hemisphere has room for the mesh.

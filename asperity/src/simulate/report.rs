@@ -287,7 +287,7 @@ fn correction<'a>(runner: &Runner<'a>, run: &Run) -> Correction<'a> {
         law: &scene.interface.law,
         has_slid: run.history.len() > 1,
         interference: scene.loading.interference,
-        peclet: runner.conditions.peclet_number(),
+        peclet: runner.conditions.peclet_number_at_inception(),
         resolution: run.resolution,
     }
 }

@@ -85,7 +85,9 @@ impl Correction<'_> {
             errors.iter().map(|(error, power)| (1.0 + self.lacks(error)).powf(*power)).product();
         match mean_error_at_high_peclet_number(quantity, self.inception, self.law) {
             Some(error) => {
-                factor * (1.0 + (self.peclet / at_high_peclet_number::FULL).min(1.0) * self.lacks(&error))
+                let checked = self.interference.min(at_high_peclet_number::DEEPEST);
+                let lacks = Self { interference: checked, ..*self }.lacks(&error);
+                factor * (1.0 + (self.peclet / at_high_peclet_number::FULL).min(1.0) * lacks)
             }
             None => factor,
         }
@@ -205,6 +207,7 @@ mod tests {
             }
         }
         assert!(of(InceptionSlip, 1000.0, 100.0) > 0.1 && of(EnergyRelease, 1000.0, 100.0) > 0.05);
+        assert_eq!(of(MuStatic, 2000.0, 100.0), of(MuStatic, 5000.0, 100.0));
         for (quantity, interference) in [(Mu, 1000.0), (Load, 1000.0), (MuStatic, 100.0)] {
             assert_eq!(of(quantity, interference, 100.0), 0.0, "{quantity:?}");
         }

@@ -128,7 +128,7 @@ impl StudyScene {
         let kinematics = if self.strain_by_press { "auto" } else { "finite" };
         let rate = if self.rate_law { "rate = { law = \"johnson-cook\" }\n" } else { "" };
         let (slip_distance, counterface) = if self.as_in_tables {
-            // As in the table of titanium, whose body shears in fraction of the interface beyond.
+            // As in the table of titanium, whose body shears in place of the interface beyond.
             let slip_distance = if preset == "titanium-6al4v" { 10.0 } else { 20.0 };
             (slip_distance, format!("[counterface]\npreset = \"{preset}\"\nelastic = false\n"))
         } else {
