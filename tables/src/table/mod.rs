@@ -54,7 +54,10 @@ pub enum TemperatureError {
     NotChosen { from: f64, to: f64 },
     #[error("initial temperature {asked} K is outside the table, which goes from {from} to {to} K")]
     Outside { asked: f64, from: f64, to: f64 },
-    #[error("is for an initial temperature of {own} K only, not {asked} K")]
+    #[error(
+        "is for an initial temperature of {own} K only, not {asked} K; leave the temperature out, or \
+         make a table with table.temperature in its request"
+    )]
     Other { asked: f64, own: f64 },
 }
 

@@ -39,7 +39,7 @@ const LARGEST_STRAIN_IN_STICK: f64 = 0.5;
 const STILL_STICKING: f64 = 0.5;
 /// Increments of a motion that fail after one that was taken, at which the slide ends: repeated halving counts once. Motions
 /// that arrive have up to 9; one without a continuous sequence of states fails in every fourth increment.
-pub const MOST_FAILURES: usize = 50;
+pub const MOST_FAILURES: usize = 20;
 
 #[derive(Debug, thiserror::Error)]
 pub enum SlideFailure {
@@ -289,7 +289,7 @@ impl<'a> Slide<'a> {
             FrictionLaw::FullStick => {
                 "law = \"shear-strength\" with strength_factor = 0.9; with law = \"full-stick\" a shorter slip_distance"
             }
-            _ => "interface.strength_factor = 0.9, or material.hardening",
+            _ => "a smaller interface.strength_factor, 0.9 of the present one or less, or material.hardening",
         };
         SlideFailure::Distorted { strain, stick_fraction, remedy }
     }

@@ -61,7 +61,7 @@ fn problem_of(changes: &[&str]) -> Problem {
 fn a_cut_back_restores_the_history_completely() {
     let problem = problem_of(&[]);
     let mut forced = ready(&problem);
-    forced.rejecting = 80;
+    (forced.rejecting, forced.most_failures) = (80, 50);
     // The bracketing of inception would change the steps.
     forced.has_begun = true;
     let distance = 0.05 * problem.expected_contact_radius();

@@ -24,6 +24,9 @@ const MODULUS_SUGGESTED: f64 = 1.5;
 /// Over ω_c; the least that is plausible.
 const SMALLEST_INTERFERENCE: f64 = 1e-4;
 
+/// Interference over the radius beyond the contacts that the model describes.
+const DEEP: f64 = 0.1;
+
 /// Paths of the optional keys, or of their sections.
 const OPTIONAL: [&str; 9] = [
     "material.hardening",
@@ -70,6 +73,7 @@ impl Scene {
             .chain(self.without_effect())
             .chain(plausible::remarks(document))
             .chain(self.interference_in_metres())
+            .chain(self.never_yields())
             .collect()
     }
 
@@ -84,6 +88,18 @@ impl Scene {
                 "omega_c is {} m here; if loading.interference is in metres, write {}",
                 digits(critical, 3),
                 plain(rounded(written, 3))
+            )
+        })
+    }
+
+    /// A material that is elastic in every contact that the model describes.
+    fn never_yields(&self) -> Option<String> {
+        let critical = self.with_combined_modulus().material.elastic_plastic().critical_interference(1.0);
+        (critical > DEEP).then(|| {
+            format!(
+                "the asperity would yield at an interference omega_c of {} of its radius, beyond the small contacts of the \
+                 model: it stays elastic, and a counterface does not yield either, whatever its strength",
+                digits(critical, 2)
             )
         })
     }

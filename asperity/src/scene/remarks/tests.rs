@@ -65,6 +65,13 @@ fn an_interference_in_metres_is_converted() {
 }
 
 #[test]
+fn a_material_that_never_yields_is_named() {
+    let of = |strength: &str| remarks_hardened(&[&format!("material.yield_strength={strength}")]);
+    only(of("50e9"), "it stays elastic");
+    assert_eq!(of("900e6"), Vec::<String>::new());
+}
+
+#[test]
 fn a_counterface_that_yields_first_is_named() {
     let hard = "material.yield_strength=900e6";
     // 792 MPa; 862 MPa and a conductivity over temperature.

@@ -203,7 +203,7 @@ fn refusals_name_the_range() {
     );
     let one = Table::from(table(300.0));
     let other = one.at(450.0).unwrap_err().to_string();
-    assert_eq!(other, "is for an initial temperature of 300 K only, not 450 K");
+    assert!(other.starts_with("is for an initial temperature of 300 K only, not 450 K; leave"), "{other}");
     assert_eq!(one.at(300.0).unwrap().into_slice(), table(300.0));
     assert_eq!(one.at(None).unwrap().into_slice(), table(300.0));
 
