@@ -69,7 +69,7 @@ pub struct Correction<'a> {
     pub has_slid: bool,
     /// ω₀/ω_c.
     pub interference: f64,
-    /// Va/κ with the contact radius after the press; 0 where heat is left out.
+    /// Va/κ of the first step, with the contact radius after the press; 0 where heat does not soften the interface.
     pub peclet: f64,
     pub resolution: Resolution,
 }
