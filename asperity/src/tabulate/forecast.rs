@@ -99,17 +99,15 @@ mod tests {
         forecast.remaining(now) / cells[done..].iter().map(|cell| cell.1).sum::<f64>()
     }
 
-    /// A third of the cells, from the largest interference on. The times of the cells of a table are up to 90 to 1. In light
-    /// contacts of `steel-304-rate` shear localises, which takes far longer than is expected. Several tables were made beside
-    /// other work, which began or ended in between and changes wall times up to three times.
+    /// After a third of the cells, from the largest interference on. The times of the cells of a table are up to 90 to 1. Other work
+    /// on the machine that begins or ends in between moves the forecast of one table, not the median of all; so does shear that
+    /// localises, as in light contacts of `steel-304-rate`.
     #[test]
     fn remaining_times_of_shipped_tables_are_forecast() {
         let ratio = |name| forecast_over_truth(&cells(name), 1.0 / 3.0);
-        let ratios: Vec<(&str, f64)> = shipped::names().map(|name| (name, ratio(name))).collect();
-        let within =
-            |factor: f64| ratios.iter().filter(|(_, ratio)| (factor.recip()..factor).contains(ratio)).count();
-        assert_eq!(ratios.len(), 18);
-        assert!(within(10.0) == 18 && within(3.2) >= 16 && within(1.5) >= 10, "{ratios:?}");
+        let mut ratios: Vec<f64> = shipped::names().map(ratio).collect();
+        ratios.sort_by(f64::total_cmp);
+        assert!((1.0 / 1.25..1.25).contains(&ratios[ratios.len() / 2]), "{ratios:?}");
     }
 
     #[test]
