@@ -2,6 +2,7 @@
 
 use pyo3::prelude::*;
 use roughsurface::surface::file::Values;
+use roughsurface::surface::units::Units;
 
 use crate::errors;
 
@@ -20,7 +21,7 @@ impl Given {
     }
 }
 
-/// Numbers as a list, or as the programs take them (`1e5..1e7:9`).
+/// Numbers as a list, or as the programs take them (`1e5..1e7:9`, `1MPa`).
 #[derive(FromPyObject)]
 pub enum Numbers {
     Text(String),
@@ -28,9 +29,9 @@ pub enum Numbers {
 }
 
 impl Numbers {
-    pub fn values(self, key: &str) -> PyResult<Values> {
+    pub fn values(self, key: &str, units: &Units) -> PyResult<Values> {
         match self {
-            Self::Text(text) => text.parse().map_err(|reason: String| errors::refused(key, reason)),
+            Self::Text(text) => Values::parse(&text, units).map_err(|reason| errors::refused(key, reason)),
             Self::List(list) => Ok(Values(list)),
         }
     }

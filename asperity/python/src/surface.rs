@@ -11,6 +11,7 @@ use roughsurface::output::{Origin, Results, friction_file, report, sample_file, 
 use roughsurface::sampling::case::{Case, surface_of};
 use roughsurface::sampling::finite_surface;
 use roughsurface::surface::file::{SurfaceFile, query_values};
+use roughsurface::surface::units;
 use roughsurface::topography::characterize::{self, Detrend, Options};
 use roughsurface::topography::readers::{self, Reading};
 use roughsurface::topography::report as characterization;
@@ -167,11 +168,12 @@ impl Question<'_> {
             .iter()
             .map(|text| text.parse::<Override>().map_err(|reason| errors::refused(text, reason)));
         let mut overrides = parsed.collect::<PyResult<Vec<Override>>>()?;
-        let values =
-            |given: &mut Option<Numbers>, key| given.take().map(|numbers| numbers.values(key)).transpose();
-        let pressure = values(&mut self.pressure, "query.pressure")?;
-        let separation = values(&mut self.separation, "query.separation")?;
-        let slip_rate = values(&mut self.slip_rate, "query.slip_rate")?;
+        let values = |given: &mut Option<Numbers>, key, units| {
+            given.take().map(|numbers| numbers.values(key, units)).transpose()
+        };
+        let pressure = values(&mut self.pressure, "query.pressure", &units::PRESSURE)?;
+        let separation = values(&mut self.separation, "query.separation", &units::LENGTH)?;
+        let slip_rate = values(&mut self.slip_rate, "query.slip_rate", &units::SLIP_RATE)?;
         overrides.extend(query_values(pressure.as_ref(), separation.as_ref(), slip_rate.as_ref()));
         Ok(overrides)
     }

@@ -6,6 +6,7 @@ use clap::Args;
 use roughsurface::sampling::case::{Case, surface_of};
 use roughsurface::surface::file::{SurfaceFile, Values, query_key, query_values};
 use roughsurface::surface::query::{ContactLife, Interaction, LoadingControl};
+use roughsurface::surface::units;
 use roughsurface::topography::readers::is_topography;
 use std::path::{Path, PathBuf};
 use tables::netcdf::input::Override;
@@ -41,15 +42,15 @@ pub struct InputOptions {
 #[derive(Args)]
 #[command(next_help_heading = "Query, in place of the keys of the surface file")]
 struct QueryOptions {
-    /// Nominal pressures, Pa: 1e6, 1e5,1e6, 1e5..1e7 (logarithmic, four a decade), or 1e5..1e7:9 (points);
+    /// Nominal pressures, Pa or with a unit: 1e6, 1MPa, 1e5,1e6, 1e5..1e7 (logarithmic, four a decade), or 1e5..1e7:9 (points);
     /// of a topography 1e5,1e6,1e7 by default
-    #[arg(long, value_name = "VALUES", allow_negative_numbers = true, conflicts_with = "separation")]
+    #[arg(long, value_name = "VALUES", allow_negative_numbers = true, conflicts_with = "separation", value_parser = pressures)]
     pressure: Option<Values>,
-    /// Separations in place of pressures, m
-    #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
+    /// Separations in place of pressures, m or with a unit: 1e-7, 0.1um
+    #[arg(long, value_name = "VALUES", allow_hyphen_values = true, value_parser = separations)]
     separation: Option<Values>,
-    /// Slip rates, m/s; of a topography 0.1,1,10 by default
-    #[arg(long, value_name = "VALUES", allow_negative_numbers = true)]
+    /// Slip rates, m/s or with a unit: 0.1, 5mm/s; of a topography 0.1,1,10 by default
+    #[arg(long, value_name = "VALUES", allow_negative_numbers = true, value_parser = slip_rates)]
     slip_rate: Option<Values>,
     /// Quantity held during the slide, load by default
     #[arg(long, value_name = "QUANTITY", value_enum)]
@@ -66,6 +67,18 @@ struct QueryOptions {
     /// Any key: section.key=value, such as surface.heights.std=1e-7; may be repeated
     #[arg(long, value_name = "SECTION.KEY=VALUE")]
     set: Vec<Override>,
+}
+
+fn pressures(text: &str) -> Result<Values, String> {
+    Values::parse(text, &units::PRESSURE)
+}
+
+fn separations(text: &str) -> Result<Values, String> {
+    Values::parse(text, &units::LENGTH)
+}
+
+fn slip_rates(text: &str) -> Result<Values, String> {
+    Values::parse(text, &units::SLIP_RATE)
 }
 
 fn shipped_material(text: &str) -> Result<String, String> {

@@ -52,7 +52,7 @@ points and its extent allow.
 
 Not modelled: merging of contacts, interaction of asperities beyond their mean pressure, adhesion,
 wear, fluid lubrication, third bodies (debris, gouge); a solid film is in the table, by the law of
-its interface. The counter-face is smooth; a table states what else it is (`asperity table info`).
+its interface. The counterface is smooth; a table states what else it is (`asperity table info`).
 That of shipped tables is rigid and conducts heat like the metal; of those called NAME-rigid it
 stays at the initial temperature. In those called NAME-rate the strength grows with the strain
 rate; they are exact for summits of a radius of 0.1 mm.

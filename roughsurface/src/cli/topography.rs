@@ -2,8 +2,8 @@
 
 use super::common::*;
 use clap::Args;
+use roughsurface::surface::units::{LENGTH, length};
 use roughsurface::topography::characterize::{Characterization, Detrend, Options, characterize};
-use roughsurface::topography::readers::length;
 use roughsurface::topography::readers::{Reading, is_topography, read};
 use roughsurface::topography::spectrum::Window;
 use roughsurface::topography::two_faces::characterize_both;
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 pub struct TopographyOptions {
     /// Short-wavelength cut-off (Gaussian, ISO 16610): metres or with a unit, 2e-6 or 2um; by default four
     /// points, or the length at which noise contributes 5 % of m4
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length::parse)]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length)]
     cutoff: Option<f64>,
     /// Trend to take off; by default the plane, of a periodic topography the mean
     #[arg(long, value_enum)]
@@ -31,7 +31,7 @@ pub struct TopographyOptions {
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     unit: Option<f64>,
     /// Distance between the points of a text or npy file that does not state it, or only counts them
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length::parse)]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length)]
     pixel: Option<f64>,
     /// Topography of the face on the other side, where both are rough: the sum of the heights, taken to be independent,
     /// slides on a smooth flat
@@ -41,12 +41,12 @@ pub struct TopographyOptions {
     #[arg(long, value_name = "UNIT", value_parser = unit, requires = "other_face")]
     other_unit: Option<f64>,
     /// Distance between the points of --other-face, where its file does not state it
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length::parse, requires = "other_face")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length, requires = "other_face")]
     other_pixel: Option<f64>,
 }
 
 fn unit(text: &str) -> Result<f64, String> {
-    length::unit(text).ok_or_else(|| format!("must be a unit of length: {}", length::known()))
+    LENGTH.factor(text).ok_or_else(|| format!("must be a unit of length: {}", LENGTH.known()))
 }
 
 impl TopographyOptions {

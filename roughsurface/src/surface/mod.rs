@@ -3,7 +3,8 @@
 //! - [`heights`]: distributions φ(z) of the summit heights, each in its own file, and their catalogue;
 //! - [`radii`]: classes of summit radii;
 //! - [`query`]: loading, slip rates, loading control;
-//! - [`mod@file`]: the surface file (TOML), its keys, its uncertain parameters.
+//! - [`mod@file`]: the surface file (TOML), its keys, its uncertain parameters;
+//! - [`units`]: units of numbers on the command line and in topographies.
 //!
 //! Depends on `root_finding` alone.
 
@@ -13,6 +14,7 @@ pub(crate) mod messages;
 pub mod query;
 pub mod radii;
 pub(crate) mod text;
+pub mod units;
 
 use std::io;
 use std::path::Path;

@@ -19,7 +19,7 @@ Document = Union[Mapping[str, Any], str, "os.PathLike[str]"]
 """A dictionary of sections, TOML as text, or the path of a file."""
 
 Numbers = Union[float, Sequence[float], np.ndarray, str]
-"""A number, several, or a range as the programs take it: ``"1e5..1e7"``, ``"1e5..1e7:9"``."""
+"""A number, several, or a range as the programs take it: ``"1e5..1e7"``, ``"1e5..1e7:9"``, ``"1MPa"``."""
 
 Progress = Union[bool, None, Callable[[str, float, str], Any]]
 """True for a bar, or a function of the stage, the share of it that is done (0 to 1) and a remark."""

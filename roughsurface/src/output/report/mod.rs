@@ -29,7 +29,7 @@ const CAVEATS: [&str; 6] = [
     "No adhesion: the model does not hold for loads below the pull-off force of the summits.",
     "No wear: heights and radii stay what they are; running-in and polishing change them.",
     "No third body: no oxide, transfer layer, lubricant, gouge or debris between the surfaces.",
-    "The counter-face is smooth: for two rough surfaces, heights and curvatures add up.",
+    "The counterface is smooth: for two rough surfaces, heights and curvatures add up.",
     "Errors are those of the asperity law, with one sign in all asperities, of interpolation and of \
      quadrature; modelling errors are not included.",
 ];

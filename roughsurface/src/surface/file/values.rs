@@ -3,11 +3,12 @@
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor, value::MapAccessDeserializer};
 use std::fmt;
-use std::str::FromStr;
 use tables::numbers::Spacing;
 
+use crate::surface::units::Units;
+
 /// Numbers of a key, as `1e6`, `[1e5, 1e6]`, or a range `{ from = 0.1, to = 10, points = 7, spacing = "log" }`; on
-/// the command line as `1e6`, `1e5,1e6`, `0.1..10` or `0.1..10:7`.
+/// the command line as `1e6`, `1MPa`, `1e5,1e6`, `0.1..10` or `0.1..10:7`.
 ///
 /// A range is logarithmic unless `spacing` is "linear" or `from` is not positive, and has
 /// four points a decade, or eleven if it is linear, unless `points` is given; its ends belong to it.
@@ -54,20 +55,35 @@ impl PointRange {
     }
 }
 
-impl FromStr for Values {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        const FORM: &str = "must be numbers such as 1e6, 1e5,1e6 or a range 0.1..10 or 0.1..10:7 (points)";
-        let number = |text: &str| text.trim().parse::<f64>().map_err(|_| FORM.to_owned());
-        let Some((from, to)) = text.split_once("..") else {
-            return text.split(',').map(number).collect::<Result<_, _>>().map(Self);
+impl Values {
+    /// Numbers of the command line, all in SI units or each with its unit.
+    pub fn parse(text: &str, units: &Units) -> Result<Self, String> {
+        let form = || {
+            let units = units.known();
+            format!(
+                "must be numbers such as 1e6, 1e5,1e6 or a range 0.1..10 or 0.1..10:7 (points), each without unit or with one of {units}"
+            )
         };
-        let (to, points) = match to.split_once(':') {
-            Some((to, points)) => (to, Some(points.trim().parse().map_err(|_| FORM.to_owned())?)),
-            None => (to, None),
+        let mut with_unit = Vec::new();
+        let mut number = |text: &str| {
+            let (number, has_unit) = units.number(text).ok_or_else(form)?;
+            with_unit.push(has_unit);
+            Ok::<f64, String>(number)
         };
-        PointRange { from: number(from)?, to: number(to)?, points, spacing: None }.values()
+        let values = match text.split_once("..") {
+            None => Self(text.split(',').map(&mut number).collect::<Result<_, _>>()?),
+            Some((from, to)) => {
+                let (to, points) = match to.split_once(':') {
+                    Some((to, points)) => (to, Some(points.trim().parse().map_err(|_| form())?)),
+                    None => (to, None),
+                };
+                PointRange { from: number(from)?, to: number(to)?, points, spacing: None }.values()?
+            }
+        };
+        match with_unit.iter().all(|has_unit| *has_unit == with_unit[0]) {
+            true => Ok(values),
+            false => Err("must have a unit behind each number, or behind none".into()),
+        }
     }
 }
 
@@ -110,10 +126,12 @@ impl<'de> Visitor<'de> for ValuesVisitor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::units::PRESSURE;
 
     #[test]
     fn numbers_lists_and_ranges_of_the_command_line() {
-        let of = |text: &str| text.parse::<Values>().unwrap().0;
+        let read = |text: &str| Values::parse(text, &PRESSURE);
+        let of = |text: &str| read(text).unwrap().0;
         assert_eq!(of("1e6"), [1e6]);
         assert_eq!(of("1e5, 1e6"), [1e5, 1e6]);
         let decades = of("0.1..10");
@@ -122,8 +140,12 @@ mod tests {
         assert_eq!(of("1..100:3"), [1.0, 10.0, 100.0]);
         assert_eq!(of("-1..1:3"), [-1.0, 0.0, 1.0]);
         assert_eq!(of("0..1").len(), 11);
-        for text in ["", "one", "1..", "10..1", "1..10:1", "1..10:x", "1,,2", "1..inf", "nan..1"] {
-            assert!(text.parse::<Values>().is_err(), "{text}");
+        assert_eq!(of("1kPa, 0.5 MPa"), [1e3, 5e5]);
+        assert_eq!(of("1MPa..100MPa:3"), [1e6, 1e7, 1e8]);
+        for text in
+            ["", "one", "1..", "10..1", "1..10:1", "1..10:x", "1,,2", "1..inf", "nan..1", "0.1..10MPa", "1um"]
+        {
+            assert!(read(text).is_err(), "{text}");
         }
     }
 }

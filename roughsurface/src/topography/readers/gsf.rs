@@ -1,8 +1,8 @@
 //! Gwyddion Simple Field: a text header, zeros up to a multiple of four bytes, and
 //! single-precision numbers row by row (Gwyddion user guide, Gwyddion Simple Field).
 
-use super::length;
 use super::number::Number;
+use crate::surface::units::LENGTH;
 use crate::topography::Topography;
 
 pub(super) const MAGIC: &[u8] = b"Gwyddion Simple Field 1.0\n";
@@ -24,7 +24,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
     let unit = |key: &str| -> Result<f64, String> {
         let symbol = field(key).unwrap_or_default();
         let rule = || format!("{key} = \"{symbol}\": must be a unit of length such as m or um");
-        length::unit(symbol).ok_or_else(rule)
+        LENGTH.factor(symbol).ok_or_else(rule)
     };
     let (lateral, vertical) = (unit("XYUnits")?, unit("ZUnits")?);
     let extent = |key: &str| -> Result<f64, String> {

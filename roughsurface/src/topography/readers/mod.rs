@@ -4,7 +4,6 @@
 
 mod fill;
 mod gsf;
-pub mod length;
 mod netcdf;
 mod npy;
 mod number;
@@ -20,6 +19,7 @@ pub use reading::Reading;
 
 use crate::surface::read_regular;
 use crate::surface::text::decode;
+use crate::surface::units::LENGTH;
 use crate::topography::warning::Warning;
 use crate::topography::{Topography, TopographyError, plausibility};
 use std::io::Read;
@@ -52,7 +52,7 @@ pub fn is_topography(file: &Path) -> bool {
     let section = |line: &str| {
         let name = line.split('#').next().unwrap_or(line).trim().strip_prefix('[');
         let name = name.and_then(|name| name.strip_suffix(']'));
-        name.is_some_and(|name| !name.contains('[') && length::unit(name).is_none())
+        name.is_some_and(|name| !name.contains('[') && LENGTH.factor(name).is_none())
     };
     let mut lines = text
         .trim_start_matches('\u{feff}')

@@ -1,9 +1,9 @@
 //! NetCDF as SurfaceTopography writes it: `heights` over (`x`, `y`) or `x`, the extent in the
 //! attribute `length` of the coordinates, the unit of each in its attribute `unit` or `units`.
 
-use super::length;
 use super::profile::profile;
 use super::reading::Reading;
+use crate::surface::units::LENGTH;
 use crate::topography::Topography;
 use std::path::Path;
 use tables::netcdf::DatasetReader;
@@ -20,7 +20,7 @@ pub(super) fn read(file: &Path) -> Result<Topography, String> {
             return Ok(None);
         };
         let rule = || format!("{name}:{attribute} = \"{symbol}\": must be a unit of length such as m or um");
-        length::unit(&symbol).ok_or_else(rule).map(Some)
+        LENGTH.factor(&symbol).ok_or_else(rule).map(Some)
     };
     let (of_heights, of_x) = (stated("heights")?, stated("x")?);
     // Where one of them has no unit it is that of the other.

@@ -4,12 +4,12 @@
 //! decimal commas where something else separates them. The header that Gwyddion writes before a matrix
 //! (`# Width: 5.0 µm`) is understood, and [titles](super::titles) of columns with their unit.
 
-use super::length;
 use super::profile::{EVEN, profile};
 use super::reading::Reading;
 use super::titles::{Column, Titles, Unit};
 use super::units::{units_of_columns, unknown_unit};
 use crate::surface::text::Commas;
+use crate::surface::units::length;
 use crate::topography::Topography;
 use crate::topography::warning::Warning;
 use tables::numbers::plain;
@@ -209,8 +209,8 @@ impl Header {
         };
         let value = value.trim();
         match key.trim() {
-            "Width" => self.width = length::parse(value).ok(),
-            "Height" => self.height = length::parse(value).ok(),
+            "Width" => self.width = length(value).ok(),
+            "Height" => self.height = length(value).ok(),
             "Value units" => self.unit = Unit::of(value),
             _ => {}
         }

@@ -1,7 +1,7 @@
 //! Titles of columns, and the units that they state: `x [mm], z [um]`, a comment `# x [mm] z [um]` as NumPy
 //! writes it, `x/mm; z/µm`, or a second line with the units alone.
 
-use super::length;
+use crate::surface::units::LENGTH;
 
 /// Lines before the first number.
 #[derive(Default)]
@@ -29,7 +29,7 @@ pub(super) enum Unit {
 
 impl Unit {
     pub(super) fn of(symbol: &str) -> Self {
-        match (length::unit(symbol), symbol.trim()) {
+        match (LENGTH.factor(symbol), symbol.trim()) {
             (Some(metres), _) => Self::Metres(metres),
             (None, "") => Self::Unstated,
             (None, symbol) => Self::Unknown(symbol.to_owned()),
@@ -106,7 +106,7 @@ impl Column {
         };
         let stroke = || {
             let (_, symbol) = title.rsplit_once('/').filter(|_| after_stroke)?;
-            length::unit(symbol).map(|_| symbol)
+            LENGTH.factor(symbol).map(|_| symbol)
         };
         let symbol = between('[', ']').or_else(|| between('(', ')')).or_else(stroke);
         Self { title: title.trim().to_owned(), unit: symbol.map_or(Unit::Unstated, Unit::of) }

@@ -1,8 +1,8 @@
 //! The unit of each column of a text file: by its title, by `--unit`, or metres.
 
-use super::length;
 use super::reading::Reading;
 use super::titles::{Column, Unit};
+use crate::surface::units::LENGTH;
 use crate::topography::warning::Warning;
 
 /// Metres in a unit of each of one to three columns, the last of which are heights, the others positions.
@@ -76,7 +76,7 @@ fn stated_units(
 }
 
 pub(super) fn unknown_unit(whose: &str, symbol: &str) -> String {
-    format!("{whose} states no known unit of length: \"{symbol}\"; known are {}", length::known())
+    format!("{whose} states no known unit of length: \"{symbol}\"; known are {}", LENGTH.known())
 }
 
 /// Whether values are whole numbers from one to the next, in any order: such columns count points.

@@ -1,0 +1,85 @@
+//! Numbers with a unit.
+
+/// Units of a quantity: symbols of each, the first of which messages name, and its value in SI units.
+pub struct Units(&'static [(&'static [&'static str], f64)]);
+
+pub static LENGTH: Units = Units(&[
+    (&["km"], 1e3),
+    (&["m"], 1.0),
+    (&["cm"], 1e-2),
+    (&["mm"], 1e-3),
+    (&["um", "µm", "μm", "~m", "micron", "microns"], 1e-6),
+    (&["nm"], 1e-9),
+    (&["A", "\u{c5}", "\u{212b}", "Ang", "Angstrom", "angstrom"], 1e-10),
+    (&["pm"], 1e-12),
+    (&["in", "inch"], 25.4e-3),
+    (&["mil", "thou"], 25.4e-6),
+    (&["uin", "µin", "μin"], 25.4e-9),
+]);
+pub static PRESSURE: Units = Units(&[
+    (&["Pa"], 1.0),
+    (&["kPa"], 1e3),
+    (&["MPa"], 1e6),
+    (&["GPa"], 1e9),
+    (&["bar"], 1e5),
+    (&["psi"], 6894.757),
+]);
+pub static SLIP_RATE: Units =
+    Units(&[(&["m/s"], 1.0), (&["mm/s"], 1e-3), (&["um/s", "µm/s", "μm/s"], 1e-6), (&["km/h"], 1.0 / 3.6)]);
+
+impl Units {
+    /// A unit in SI units, by its usual symbols.
+    pub fn factor(&self, symbol: &str) -> Option<f64> {
+        let symbol = symbol.trim();
+        self.0.iter().find(|(symbols, _)| symbols.contains(&symbol)).map(|(_, factor)| *factor)
+    }
+
+    /// The known units, separated by commas.
+    pub fn known(&self) -> String {
+        let names: Vec<&str> = self.0.iter().map(|(symbols, _)| symbols[0]).collect();
+        names.join(", ")
+    }
+
+    /// A number in SI units such as `2e-6`, or with a unit behind its last digit, `2um`; whether there is one.
+    pub fn number(&self, text: &str) -> Option<(f64, bool)> {
+        let text = text.trim();
+        if let Ok(number) = text.parse::<f64>() {
+            return Some((number, false));
+        }
+        let (number, symbol) = text.split_at(text.rfind(|c: char| c.is_ascii_digit() || c == '.')? + 1);
+        Some((number.parse::<f64>().ok()? * self.factor(symbol)?, true))
+    }
+}
+
+/// A positive length such as `2e-6`, in metres, or `2um`; in metres.
+pub fn length(text: &str) -> Result<f64, String> {
+    match LENGTH.number(text) {
+        Some((metres, _)) if metres > 0.0 && metres.is_finite() => Ok(metres),
+        _ => Err("must be a positive length in metres, or with a unit: 2e-6, 2um, 500nm".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_with_and_without_unit() {
+        for (text, metres) in [
+            ("2e-6", 2e-6),
+            ("2um", 2e-6),
+            ("2.5 µm", 2.5e-6),
+            ("1e3nm", 1e-6),
+            ("3 Å", 3e-10),
+            ("1m", 1.0),
+            ("2mil", 50.8e-6),
+            ("4 µin", 101.6e-9),
+        ] {
+            let found = length(text).unwrap();
+            assert!((found / metres - 1.0).abs() < 1e-14, "{text}: {found:e}");
+        }
+        for text in ["", "um", "-1e-6", "2 furlongs", "inf", "0"] {
+            assert!(length(text).is_err(), "{text}");
+        }
+    }
+}
