@@ -4,6 +4,7 @@ use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::surface::query::{Interaction, Query};
 use crate::topography::warning;
 use std::fmt;
+use tables::closed_forms::adhesion::CONTAMINATED_METALS;
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::law::{AboveRange, AsperityLaw};
 use tables::numbers::{beside, digits, plain};
@@ -130,13 +131,23 @@ pub enum Warning {
         if *.known { "their steady friction is uncertain by more than 20 %" } else { "the table does not state their steady friction: mu is n/a" }
     )]
     Unsteady { at: Place, share: f64, known: bool },
-    #[error("{at}: mu_steady is uncertain by {:.0} %, as slides of the table end before they are steady", 100.0 * .error)]
+    #[error(
+        "{at}: mu_steady is uncertain by {:.0} %: slides of the table end before they are steady, or the load lies beyond its interferences",
+        100.0 * .error
+    )]
     SteadyUncertain { at: Place, error: f64 },
     #[error(
         "{at}: sliding begins within {} times the time of a shear wave across a contact: below {SHORTEST_INCEPTION}, inertia changes mu_static and G, which are those of a slow onset",
         beside(*.time, SHORTEST_INCEPTION, 2)
     )]
     FastInception { at: Place, time: f64 },
+    #[error(
+        "{at}: a contact bears {} N on average, less than the pull-off force 2 pi w R = {} N with an energy of adhesion w of {} J/m2, that of contaminated metals: adhesion, which the model leaves out, presses the contacts more than the load",
+        digits(*.load, 2),
+        digits(*.pull_off, 2),
+        plain(CONTAMINATED_METALS)
+    )]
+    Adhesion { at: Place, load: f64, pull_off: f64 },
     #[error(
         "{at}: mu_static is {:.2}: the shear strength of the interface exceeds the pressure of the contacts, at which adhesion, not contained in the model, is no longer negligible; check heights, radius and strength",
         .friction

@@ -6,6 +6,7 @@
 //!
 //! Depends on `law`. Chapter "Rough surfaces" of the book, "Closed forms".
 
+pub mod adhesion;
 pub mod brizmer;
 pub mod chang_etsion_bogy;
 mod crossings;

@@ -5,6 +5,8 @@ mod temperatures;
 
 use std::collections::HashMap;
 
+use tables::closed_forms::adhesion::{CONTAMINATED_METALS, DISTANCE_OF_ATOMS, pull_off_force};
+use tables::closed_forms::hertz::hertz_load;
 use tables::numbers::{digits, plain, rounded};
 use tables::quantity::{plausible, values_by_path};
 use toml::{Table, Value};
@@ -54,7 +56,7 @@ impl Scene {
 
     /// Warnings, a sentence each.
     pub fn remarks(&self) -> Vec<String> {
-        self.remarks_with(&self.document())
+        self.remarks_with(&self.document()).into_iter().chain(self.too_small()).collect()
     }
 
     /// Remarks on values that are probably in another unit.
@@ -88,6 +90,36 @@ impl Scene {
                 "omega_c is {} m here; if loading.interference is in metres, write {}",
                 digits(critical, 3),
                 plain(rounded(written, 3))
+            )
+        })
+    }
+
+    /// A contact too small for a continuum without adhesion. The load of an elastic sphere is the largest at an interference.
+    fn too_small(&self) -> Option<String> {
+        let Loading { interference, load, .. } = self.loading;
+        let body = self.with_combined_modulus().material.elastic_plastic();
+        let depth = interference * body.critical_interference(self.radius);
+        let load = load.unwrap_or(hertz_load(body.contact_modulus(), self.radius, depth));
+        let pull_off = pull_off_force(CONTAMINATED_METALS, self.radius);
+        let by_interference = self.loading.load.is_none();
+        if by_interference && interference < SMALLEST_INTERFERENCE {
+            return None;
+        }
+        if by_interference && depth < DISTANCE_OF_ATOMS {
+            return Some(format!(
+                "the interference is {} m, less than the distance of atoms, {} m: the body is no continuum there",
+                digits(depth, 2),
+                plain(DISTANCE_OF_ATOMS)
+            ));
+        }
+        (load < pull_off).then(|| {
+            format!(
+                "the load, {}{} N, is below the pull-off force 2 pi w R = {} N with an energy of adhesion w of {} J/m2, that of \
+                 contaminated metals: adhesion, which the model leaves out, presses the contact more than the load",
+                if by_interference { "at most " } else { "" },
+                digits(load, 2),
+                digits(pull_off, 2),
+                plain(CONTAMINATED_METALS)
             )
         })
     }

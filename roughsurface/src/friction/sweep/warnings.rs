@@ -8,6 +8,7 @@ use crate::friction::slip_curve::{SlipState, SurfaceInception};
 use crate::friction::warning::{Place, Warning};
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::surface::query::ContactLife;
+use tables::closed_forms::adhesion::{CONTAMINATED_METALS, pull_off_force};
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::law::{AboveRange, UNKNOWN_STEADY_FRICTION};
 
@@ -82,6 +83,9 @@ impl Sweep<'_> {
         if let Some(time) = self.inception_time(rate, curve).filter(|time| *time < SHORTEST_INCEPTION) {
             warnings.push(Warning::FastInception { at: at(), time });
         }
+        let load = sliding.pressure.value / sliding.contact_density.value;
+        let pull_off = pull_off_force(CONTAMINATED_METALS, self.surface.asperity_radius.mean());
+        warnings.extend((load < pull_off).then(|| Warning::Adhesion { at: at(), load, pull_off }));
         let share = sliding.area_fraction.value;
         warnings.extend(Warning::of_area(self.query, share, at));
         let molten = self.settings.scene.melting_temperature.zip(contacts.temperature_max);

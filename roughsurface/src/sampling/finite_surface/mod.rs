@@ -146,7 +146,10 @@ fn of_infinite_extent(
     let query = Query { rate_step: None, ..query.clone() };
     let Ok(prediction) = predict(law, surface, &query, settings, &|_, _| ()) else { return Vec::new() };
     let is_shared = |warning: &Warning| match warning {
-        Warning::BelowTable { .. } | Warning::StrongInterface { .. } | Warning::FewContacts { .. } => true,
+        Warning::BelowTable { .. }
+        | Warning::Adhesion { .. }
+        | Warning::StrongInterface { .. }
+        | Warning::FewContacts { .. } => true,
         // Of the life of the contacts, and of the slide of a prediction.
         Warning::ShortLife { .. }
         | Warning::NominalHeating { .. }
