@@ -12,7 +12,7 @@ use super::pressed::{Pressed, PressedMesh, add_presses};
 use super::run::Run;
 use super::{SimulationError, Watch};
 use crate::discretisation::threads::is_alone;
-use crate::loading::slide::{MOST_FAILURES, SlideFailure};
+use crate::loading::slide::SlideFailure;
 use crate::simulate::accuracy::error_budget::{AuxiliaryValues, ErrorBudget, RunValues, estimate};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::steady::SteadyState;
@@ -21,9 +21,9 @@ use crate::simulate::steady::SteadyState;
 /// repeated more finely.
 const AUXILIARY: f64 = 0.25;
 const MAIN: f64 = 0.7;
-/// Failed increments of a finer run beyond the cut-backs of the run before, which is the result in its place; see
-/// [`MOST_FAILURES`] for those of motions that arrive.
-const FURTHER_FAILURES: usize = 10;
+/// Iterations of the linear systems of a finer run whose increments fail, over those of the run before, beyond which that run is the
+/// result in its place.
+const FURTHER_WORK: f64 = 2.0;
 
 /// Values of all auxiliary runs; none where one did not finish.
 fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryValues<'_>> {
@@ -226,8 +226,9 @@ impl<'a> Runner<'a> {
     /// A main run finer than the one `before`, and one on its coarse mesh.
     pub fn finer(&self, resolution: &Resolution, before: &Run) -> Result<[Run; 2], SimulationError> {
         self.watch.progress("slide", MAIN, "finer");
-        let most_failures = (before.cutbacks + FURTHER_FAILURES).min(MOST_FAILURES);
-        let progress = RunProgress { most_failures, ..RunProgress::new("finer: ", (MAIN, 1.0)) };
+        let increments = before.resolution.increment_growth / resolution.increment_growth;
+        let most_krylov = (FURTHER_WORK * increments * before.effort.krylov as f64) as usize;
+        let progress = RunProgress { most_krylov, ..RunProgress::new("finer: ", (MAIN, 1.0)) };
         let runs = self.run_all(&[*resolution, resolution.coarse()], progress, self.watch)?;
         Ok(runs.try_into().unwrap_or_else(|_| unreachable!("as many runs as planned")))
     }

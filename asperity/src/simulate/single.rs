@@ -14,7 +14,7 @@ use crate::loading::body_fields::BodyFields;
 use crate::loading::problem::Discretisation;
 use crate::loading::recording::Recorder;
 use crate::loading::slide::increments::inception_width;
-use crate::loading::slide::{MOST_FAILURES, Motion, MotionInProgress, Slide, SlideFailure};
+use crate::loading::slide::{Motion, MotionInProgress, Slide, SlideFailure};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::steady::{LONGEST, SteadyState, has_gone_far_enough, has_to_go_on};
 use crate::simulate::values::Values;
@@ -44,7 +44,7 @@ impl Conditions<'_> {
         // Each mesh slides as far in units of its own contact radius.
         let radius = press.contact.radius(&press.contact.committed);
         slide.recorder = Recorder::new(recording, radius, &slide.history[0]);
-        slide.most_failures = progress.map_or(MOST_FAILURES, |progress| progress.most_failures);
+        slide.most_krylov = progress.map_or(usize::MAX, |progress| progress.most_krylov);
         slide.record_fields();
         let programme = self.programme.iter();
         let motions: Vec<Motion> = programme.map(|step| Motion::new(step, radius, &problem.units)).collect();

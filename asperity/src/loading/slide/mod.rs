@@ -39,7 +39,7 @@ const LARGEST_STRAIN_IN_STICK: f64 = 0.5;
 const STILL_STICKING: f64 = 0.5;
 /// Increments of a motion that fail after one that was taken, at which the slide ends: repeated halving counts once. Motions
 /// that arrive have up to 9; one without a continuous sequence of states fails in every fourth increment.
-pub const MOST_FAILURES: usize = 20;
+const MOST_FAILURES: usize = 20;
 
 #[derive(Debug, thiserror::Error)]
 pub enum SlideFailure {
@@ -63,6 +63,10 @@ pub enum SlideFailure {
          states, as where a light contact sticks and lifts off in turn; {WEAKER_INTERFACE} may have one. The last failure: {last}"
     )]
     Discontinuous { failures: usize, last: Box<SlideFailure> },
+    #[error(
+        "its linear systems take more than {most} iterations, as increments fail. The last failure: {last}"
+    )]
+    TooMuchWork { most: usize, last: Box<SlideFailure> },
     #[error("stopped on request")]
     Cancelled,
 }
@@ -126,8 +130,8 @@ pub struct Slide<'a> {
     pub history: Vec<SlideState>,
     pub recorder: Recorder,
     pub cutbacks: usize,
-    /// Failed increments of a motion at which the slide ends, see [`MOST_FAILURES`].
-    pub most_failures: usize,
+    /// Iterations of the linear systems beyond which a failed increment ends the slide.
+    pub most_krylov: usize,
     /// Largest increment relative to the slip so far, times [`increments::WHILE_STICKING`] or
     /// [`increments::WHILE_SLIDING`].
     increment_growth: f64,
@@ -165,7 +169,7 @@ impl<'a> Slide<'a> {
             history: Vec::new(),
             recorder: Recorder::default(),
             cutbacks: 0,
-            most_failures: MOST_FAILURES,
+            most_krylov: usize::MAX,
             increment_growth,
             inception_width: increments::INCEPTION_WIDTH,
             shears_without_limit: false,

@@ -1,7 +1,7 @@
 //! A motion of the flat in progress: its increments one after the other.
 
 use super::increments::{InceptionBracket, Predictor, StepControl};
-use super::{Advance, Attempt, Slide, SlideFailure};
+use super::{Advance, Attempt, MOST_FAILURES, Slide, SlideFailure};
 use crate::loading::state::SlideState;
 use crate::solver::StopRequest;
 
@@ -138,9 +138,13 @@ impl Slide<'_> {
         if distorted.is_some() && self.shears_without_limit || !motion.control.cut_back() {
             return Err(distorted.unwrap_or(failure));
         }
+        let last = Box::new(failure);
         match motion.failures {
-            failures if failures < self.most_failures => Ok(()),
-            failures => Err(SlideFailure::Discontinuous { failures, last: failure.into() }),
+            _ if self.mechanics.effort.krylov > self.most_krylov => {
+                Err(SlideFailure::TooMuchWork { most: self.most_krylov, last })
+            }
+            MOST_FAILURES => Err(SlideFailure::Discontinuous { failures: MOST_FAILURES, last }),
+            _ => Ok(()),
         }
     }
 }

@@ -55,27 +55,29 @@ fn problem_of(changes: &[&str]) -> Problem {
     Problem::new(&parse(text, changes).unwrap())
 }
 
-/// Each of forty steps is rejected once after its solution and repeated at half the length; the same short steps
+/// Each of nineteen steps is rejected once after its solution and repeated at half the length; the same short steps
 /// without rejection give identical numbers.
 #[test]
 fn a_cut_back_restores_the_history_completely() {
     let problem = problem_of(&[]);
     let mut forced = ready(&problem);
-    (forced.rejecting, forced.most_failures) = (80, 50);
+    forced.rejecting = 2 * (MOST_FAILURES - 1);
     // The bracketing of inception would change the steps.
     forced.has_begun = true;
     let distance = 0.05 * problem.expected_contact_radius();
     run(&mut forced, &[slip(FAST, distance)]).unwrap();
-    assert!(forced.cutbacks >= 40);
+    assert_eq!(forced.cutbacks, MOST_FAILURES - 1);
     assert!(forced.history.last().unwrap().rise_max > 1.0);
 
     // If further increments fail, the motion ends, with the states before.
-    for most in [MOST_FAILURES, 3] {
+    for (most_krylov, taken) in [(usize::MAX, MOST_FAILURES - 1), (0, 0)] {
         let mut endless = ready(&problem);
-        (endless.rejecting, endless.most_failures) = (1000, most);
-        let ended = run(&mut endless, &[slip(FAST, distance)]);
-        let ends = matches!(ended, Err(SlideFailure::Discontinuous { failures, .. }) if failures == most);
-        assert!(ends && endless.history.len() == most, "{ended:?}");
+        (endless.rejecting, endless.most_krylov) = (1000, most_krylov);
+        let ended = run(&mut endless, &[slip(FAST, distance)]).unwrap_err();
+        let is_work = matches!(ended, SlideFailure::TooMuchWork { most: 0, .. });
+        let is_failures = matches!(ended, SlideFailure::Discontinuous { failures: MOST_FAILURES, .. });
+        assert!(if taken == 0 { is_work } else { is_failures }, "{ended:?}");
+        assert_eq!(endless.history.len(), 1 + taken);
     }
 
     let mut direct = ready(&problem);

@@ -8,7 +8,6 @@ use std::fmt::{self, Display, Formatter, Write};
 use crate::heat::expected::{HeatChoice, HeatEffect};
 use crate::loading::inception::InceptionCriterion;
 use crate::loading::problem::{PressFriction, Problem, Units};
-use crate::loading::slide::MOST_FAILURES;
 use crate::loading::state::SlideState;
 use crate::scene::Scene;
 use crate::simulate::accuracy::resolution::Resolution;
@@ -215,14 +214,14 @@ pub(super) struct RunProgress {
     pub span: (f64, f64),
     /// Whether the slide goes on until its steady friction is known.
     pub goes_on: bool,
-    /// Failed increments at which the slide ends.
-    pub most_failures: usize,
+    /// Iterations of the linear systems beyond which a failed increment ends the slide.
+    pub most_krylov: usize,
 }
 
 impl RunProgress {
     /// A run that ends with the slide.
     pub fn new(kind: &'static str, span: (f64, f64)) -> Self {
-        Self { kind, span, goes_on: false, most_failures: MOST_FAILURES }
+        Self { kind, span, goes_on: false, most_krylov: usize::MAX }
     }
 
     /// Share of the whole after a share `done` of the run.
