@@ -142,6 +142,9 @@ pub(crate) mod error_estimates {
 ///   | 30 to 100 | 0.5 (0.8) | 0.4 (0.5) | 0.4 (0.3) | 0.4 (0.3) | 0.6 (0.8) | 0.6 (0.7) |
 ///   | 100 to 300 | 0.7 (1.3) | 0.3 (0.8) | 0.5 (0.3) | 0.2 (0.2) | 0.3 (1.1) | 0.2 (0.9) |
 ///   | 300 to 6700 | 1.0 (1.0) | 0.6 (0.7) | 0.4 (0.7) | 0.4 (0.6) | 0.6 (0.5) | 0.3 (0.3) |
+///
+///   Histories have the factors of load and area alone: at the same slip, from 0.9 of that of inception on, their `mu` then lacks
+///   −0.8 to +0.4 % on average in the 49 scenes above 1 ω_c, at any interference.
 /// - Repeated by: `asperity effectivity`, whose journal has the runs.
 pub(crate) mod mean_errors {
     use super::error_estimates::AtEach;

@@ -172,3 +172,25 @@ impl<'a> Conditions<'a> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::tests::of_preset;
+    use crate::simulate::{Unwatched, press};
+
+    /// Sliding begins in the first step, whatever the fastest one is. 4340 steel at 20 ω_c = 1.59e-3 R: a = √(Rω) = 39.9 µm
+    /// (Hertz, near that of an elastic–plastic contact), κ = 1.017e-5 m²/s.
+    #[test]
+    fn the_peclet_number_at_inception_is_that_of_the_first_step() {
+        let mesh = ["numerics.elements_per_radius=6", "numerics.sectors=4"];
+        let mut scene = of_preset("steel-4340", &mesh);
+        let at = |slip_rate| LoadingStep::Slip { slip_rate, slip_distance: 0.2 };
+        let [slow, fast] = [[0.1, 10.0], [10.0, 0.1]].map(|rates| {
+            scene.loading = scene.loading.clone().with_steps(rates.map(at).to_vec());
+            let pressed = press(&scene, &Unwatched).unwrap();
+            Conditions::new(&pressed, 0.0).unwrap().peclet_number_at_inception()
+        });
+        assert!((fast / 39.2 - 1.0).abs() < 0.03 && (fast / slow - 100.0).abs() < 1e-9, "{slow} {fast}");
+    }
+}
