@@ -74,15 +74,15 @@ impl ElasticSphere {
 
     /// Λ = 1 + C ln(V/(aε̇₀)), by which the strength is larger at a slip rate (m/s) and contact radius (m); 1 without a rate
     /// law.
-    pub(super) fn growth(&self, slip_rate: f64, contact_radius: f64) -> f64 {
+    pub(super) fn rate_factor(&self, slip_rate: f64, contact_radius: f64) -> f64 {
         self.rate_law.map_or(1.0, |(coefficient, reference)| {
             1.0 + coefficient * (slip_rate / (contact_radius * reference)).max(1.0).ln()
         })
     }
 
-    /// Λ, the factor of [`growth`](Self::growth), at a slip rate (m/s) and ω/ω_c.
-    pub(super) fn growth_at(&self, slip_rate: f64, interference: f64) -> f64 {
-        self.growth(slip_rate, self.contact_radius(interference))
+    /// Λ, the factor of [`rate_factor`](Self::rate_factor), at a slip rate (m/s) and ω/ω_c.
+    pub(super) fn rate_factor_at(&self, slip_rate: f64, interference: f64) -> f64 {
+        self.rate_factor(slip_rate, self.contact_radius(interference))
     }
 
     /// a, m, at ω/ω_c.
@@ -104,9 +104,14 @@ impl ElasticSphere {
     /// Q, N, after the slip s = `slip`·a at a slip rate.
     fn friction(&self, interference: f64, slip: f64, slip_rate: f64) -> Option<f64> {
         let sliding = self.gross_slip(interference)?;
-        let growth = self.growth_at(slip_rate, interference);
-        let at_gross_slip = growth * sliding.displacement(self.tangential_modulus, 1.0);
-        Some(growth * sliding.mean * self.area(interference) * sliding.force_fraction(slip / at_gross_slip))
+        let rate_factor = self.rate_factor_at(slip_rate, interference);
+        let at_gross_slip = rate_factor * sliding.displacement(self.tangential_modulus, 1.0);
+        Some(
+            rate_factor
+                * sliding.mean
+                * self.area(interference)
+                * sliding.force_fraction(slip / at_gross_slip),
+        )
     }
 
     /// Q of gross slip, N.

@@ -95,7 +95,7 @@ impl InterpolatedTable {
         let extrapolated = (interference / self.interference_limit()).max(1.0).ln();
         let largest =
             self.interpolant.rows.map_or(f64::NAN, |(_, last)| self.interpolant.log_contact_radius[last]);
-        let smallest = self.interpolant.sphere.growth(self.axes().slip_rate[0], largest.exp());
+        let smallest = self.interpolant.sphere.rate_factor(self.axes().slip_rate[0], largest.exp());
         coefficient / smallest * (2.0 * ratio.ln().abs() + 0.5 * extrapolated)
     }
 
@@ -289,7 +289,7 @@ impl AsperityLaw for InterpolatedTable {
         }
         let (slowest, _) = self.slip_rate_range(radius);
         let contact = self.estimate(Quantity::ContactRadius, radius, interference, slowest)?.value;
-        Ok(self.interpolant.sphere.growth(slip_rate, contact))
+        Ok(self.interpolant.sphere.rate_factor(slip_rate, contact))
     }
 
     fn last_slip(&self) -> f64 {

@@ -235,8 +235,8 @@ impl FirstRow<'_> {
             ElasticLimit::InceptionSlip => self.sphere.inception_slip(interference),
             _ => self.sphere.energy_release(interference),
         };
-        let growth = self.sphere.growth_at(self.slip_rate, interference);
-        value.map_or(f64::NAN, |value| value * growth.powf(limit.strength_exponent()))
+        let rate_factor = self.sphere.rate_factor_at(self.slip_rate, interference);
+        value.map_or(f64::NAN, |value| value * rate_factor.powf(limit.strength_exponent()))
     }
 
     fn weighted(&self, elastic: &dyn Fn(f64) -> f64, row: f64, weight: f64) -> f64 {
@@ -249,7 +249,7 @@ impl FirstRow<'_> {
 
     /// Q of gross slip of the elastic sphere.
     fn shear(&self, interference: f64) -> f64 {
-        let growth = self.sphere.growth_at(self.slip_rate, interference);
+        let growth = self.sphere.rate_factor_at(self.slip_rate, interference);
         self.sphere.sliding_friction(interference).map_or(f64::NAN, |friction| friction * growth)
     }
 

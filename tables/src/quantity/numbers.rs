@@ -4,7 +4,10 @@ use serde::Deserialize;
 
 use super::Estimate;
 
-/// `value ± error unit`, with two digits of the error.
+/// Least error that is shown, over the value: closed forms have errors of quadrature alone, and no reader compares their digits.
+const LEAST_SHOWN: f64 = 1e-5;
+
+/// `value ± error unit`, with two digits of the error, or of a hundred-thousandth of the value if that is larger.
 ///
 /// ```
 /// use tables::numbers::with_error;
@@ -12,6 +15,7 @@ use super::Estimate;
 ///
 /// assert_eq!(with_error(Estimate { value: 0.23498, error: 0.00351 }, "1"), "0.2350 ± 0.0035");
 /// assert_eq!(with_error(Estimate { value: 7.888e-9, error: 4.3e-11 }, "m2"), "7.888e-9 ± 0.043e-9 m2");
+/// assert_eq!(with_error(Estimate { value: 0.231704055379, error: 1e-12 }, "1"), "0.2317041 ± 0.0000023");
 /// ```
 pub fn with_error(estimate: Estimate, unit: &str) -> String {
     let Estimate { value, error } = estimate;
@@ -30,6 +34,7 @@ pub fn with_error(estimate: Estimate, unit: &str) -> String {
     if size == 0.0 {
         return format!("0 ± 0{unit}");
     }
+    let error = if error > 0.0 { error.max(LEAST_SHOWN * size) } else { error };
     let exponent = size.log10().floor() as i32;
     // Numbers that need many zeros are shown as multiples of a power of ten.
     let (scale, suffix) = match exponent {
