@@ -173,7 +173,7 @@ pub(super) struct TabulateArguments {
     #[arg(long, value_name = "section.key=value")]
     pub(super) set: Vec<String>,
     /// Threads [default: number of processors]
-    #[arg(long, alias = "threads", value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, visible_alias = "threads", value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(super) jobs: Option<u16>,
     /// Continue an interrupted tabulation; a complete table is left as it is
     #[arg(long)]

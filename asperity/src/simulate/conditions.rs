@@ -8,7 +8,7 @@ use crate::scene::fitted_constants::smooth_flux;
 use crate::scene::loading::extent;
 use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics, LoadingStep};
 use crate::simulate::SimulationError;
-use crate::simulate::accuracy::modelling_error::{ModellingError, SharedHeat};
+use crate::simulate::accuracy::modelling_error::{ModellingError, SharedHeat, energy_of_press};
 use crate::simulate::accuracy::resolution::{Resolution, thermal_layer_refinements, thermal_sublayers};
 use crate::simulate::messages::Warning;
 use crate::simulate::pressed::Pressed;
@@ -119,6 +119,10 @@ impl<'a> Conditions<'a> {
             heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition_error },
             strain: if small { run.plastic_strain() } else { 0.0 },
             press_coupling: problem.press_friction.neglected,
+            press_energy: energy_of_press(
+                problem.press_friction.neglected,
+                run.largest_traction() / SHEAR_RATIO,
+            ),
             slide_coupling: self.slide_coupling(run),
             finite_counterface: problem.counterface_share
                 * self.pressed.contact_radius

@@ -77,7 +77,9 @@ impl Ladder {
         if let Some(Run { resolution, failure: Some(cause), .. }) = failed {
             let (elements, sectors) = (resolution.elements_per_radius, resolution.sectors);
             let cause = match cause {
-                SlideFailure::Discontinuous { last, .. } => last.to_string(),
+                SlideFailure::Discontinuous { failures, last } => {
+                    format!("{failures} times an increment failed, the last time: {last}")
+                }
                 cause => cause.to_string(),
             };
             self.notes.push(Note::RefinementFailed { elements, sectors, cause });

@@ -21,9 +21,14 @@ use crate::simulate::steady::SteadyState;
 /// repeated more finely.
 const AUXILIARY: f64 = 0.25;
 const MAIN: f64 = 0.7;
-/// Iterations of the linear systems of a finer run whose increments fail, over those of the run before, beyond which that run is the
-/// result in its place.
+/// Iterations of a finer run, over those expected, beyond which a failed increment ends it, and the run before is the result.
 const FURTHER_WORK: f64 = 2.0;
+
+/// Iterations of a finer run beyond which a failed increment ends it: those of the run `before` with increments of another growth.
+/// Finer runs that arrive take up to 1.3 times those.
+fn most_iterations(before: usize, growth_before: f64, growth: f64) -> usize {
+    (FURTHER_WORK * growth_before / growth * before as f64) as usize
+}
 
 /// Values of all auxiliary runs; none where one did not finish.
 fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryValues<'_>> {
@@ -226,9 +231,9 @@ impl<'a> Runner<'a> {
     /// A main run finer than the one `before`, and one on its coarse mesh.
     pub fn finer(&self, resolution: &Resolution, before: &Run) -> Result<[Run; 2], SimulationError> {
         self.watch.progress("slide", MAIN, "finer");
-        let increments = before.resolution.increment_growth / resolution.increment_growth;
-        let most_krylov = (FURTHER_WORK * increments * before.effort.krylov as f64) as usize;
-        let progress = RunProgress { most_krylov, ..RunProgress::new("finer: ", (MAIN, 1.0)) };
+        let growth = [&before.resolution, resolution].map(|resolution| resolution.increment_growth);
+        let most_iterations = most_iterations(before.effort.iterations(), growth[0], growth[1]);
+        let progress = RunProgress { most_iterations, ..RunProgress::new("finer: ", (MAIN, 1.0)) };
         let runs = self.run_all(&[*resolution, resolution.coarse()], progress, self.watch)?;
         Ok(runs.try_into().unwrap_or_else(|_| unreachable!("as many runs as planned")))
     }
@@ -319,6 +324,13 @@ mod tests {
         let mesh = ["numerics.elements_per_radius=6", "numerics.sectors=4"];
         let loading = ["loading.interference=5", "loading.slip_rate=0", "loading.slip_distance=0.2"];
         of_preset("copper", &[&[accuracy], &mesh[..], &loading].concat())
+    }
+
+    /// Increments of half the growth are twice as many.
+    #[test]
+    fn a_finer_run_may_take_twice_the_work_expected() {
+        assert_eq!(super::most_iterations(500, 0.3, 0.3), 1000);
+        assert_eq!(super::most_iterations(500, 0.3, 0.15), 2000);
     }
 
     /// Where the main run cannot begin, the finished auxiliary run is the result, and the error says so.

@@ -6,7 +6,7 @@ use clap::Args;
 use roughsurface::sampling::case::{Case, surface_of};
 use roughsurface::surface::file::{SurfaceFile, Values, query_key, query_values};
 use roughsurface::surface::query::{ContactLife, Interaction, LoadingControl};
-use roughsurface::surface::units;
+use roughsurface::surface::units::{self, length};
 use roughsurface::topography::readers::is_topography;
 use std::path::{Path, PathBuf};
 use tables::netcdf::input::Override;
@@ -44,13 +44,13 @@ pub struct InputOptions {
 struct QueryOptions {
     /// Nominal pressures, Pa or with a unit: 1e6, 1MPa, 1e5,1e6, 1e5..1e7 (logarithmic, four a decade), or 1e5..1e7:9 (points);
     /// of a topography 1e5,1e6,1e7 by default
-    #[arg(long, value_name = "VALUES", allow_negative_numbers = true, conflicts_with = "separation", value_parser = pressures)]
+    #[arg(long, value_name = "VALUES", allow_hyphen_values = true, conflicts_with = "separation", value_parser = pressures)]
     pressure: Option<Values>,
     /// Separations in place of pressures, m or with a unit: 1e-7, 0.1um
     #[arg(long, value_name = "VALUES", allow_hyphen_values = true, value_parser = separations)]
     separation: Option<Values>,
     /// Slip rates, m/s or with a unit: 0.1, 5mm/s; of a topography 0.1,1,10 by default
-    #[arg(long, value_name = "VALUES", allow_negative_numbers = true, value_parser = slip_rates)]
+    #[arg(long, value_name = "VALUES", allow_hyphen_values = true, value_parser = slip_rates)]
     slip_rate: Option<Values>,
     /// Quantity held during the slide, load by default
     #[arg(long, value_name = "QUANTITY", value_enum)]
@@ -61,8 +61,8 @@ struct QueryOptions {
     /// Elastic interaction of the summits, none by default; mean-pressure displaces the mean plane
     #[arg(long, value_name = "KIND", value_enum)]
     interaction: Option<Interaction>,
-    /// Side of the square nominal area, m; needed by --interaction mean-pressure; the warning of nominal heating is for this length
-    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    /// Side of the square nominal area, m or with a unit; needed by --interaction mean-pressure; the warning of nominal heating is for this length
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length)]
     nominal_size: Option<f64>,
     /// Any key: section.key=value, such as surface.heights.std=1e-7; may be repeated
     #[arg(long, value_name = "SECTION.KEY=VALUE")]

@@ -13,6 +13,7 @@ use roughsurface::output::{Origin, Results, friction_file, report, summary, summ
 use roughsurface::sampling::case::Case;
 use roughsurface::surface::file::query_key;
 use roughsurface::surface::query::Surface;
+use roughsurface::surface::units::SLIP_RATE;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use tables::closed_forms::NAMES;
@@ -98,9 +99,9 @@ fn models() -> PossibleValuesParser {
 }
 
 fn step(text: &str) -> Result<[f64; 2], String> {
-    let rates =
-        text.split_once("..").and_then(|(before, after)| Some([before.parse().ok()?, after.parse().ok()?]));
-    rates.ok_or_else(|| "must be two slip rates in m/s, such as 0.1..1".into())
+    let rate = |text| Some(SLIP_RATE.number(text)?.0);
+    let rates = text.split_once("..").and_then(|(before, after)| Some([rate(before)?, rate(after)?]));
+    rates.ok_or_else(|| "must be two slip rates in m/s or each with a unit, such as 0.1..1".into())
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

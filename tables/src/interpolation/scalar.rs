@@ -249,8 +249,8 @@ impl FirstRow<'_> {
 
     /// Q of gross slip of the elastic sphere.
     fn shear(&self, interference: f64) -> f64 {
-        let growth = self.sphere.rate_factor_at(self.slip_rate, interference);
-        self.sphere.sliding_friction(interference).map_or(f64::NAN, |friction| friction * growth)
+        let rate_factor = self.sphere.rate_factor_at(self.slip_rate, interference);
+        self.sphere.sliding_friction(interference).map_or(f64::NAN, |friction| friction * rate_factor)
     }
 
     /// Q/A, from Q in the first row: heat changes sliding friction per area.

@@ -4,7 +4,7 @@ use serde::Deserialize;
 
 use super::Estimate;
 
-/// Least error that is shown, over the value: closed forms have errors of quadrature alone, and no reader compares their digits.
+/// Least error that is shown, over the value: those of closed forms, of quadrature alone, are often far smaller.
 const LEAST_SHOWN: f64 = 1e-5;
 
 /// `value ± error unit`, with two digits of the error, or of a hundred-thousandth of the value if that is larger.

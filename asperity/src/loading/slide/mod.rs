@@ -64,7 +64,7 @@ pub enum SlideFailure {
     )]
     Discontinuous { failures: usize, last: Box<SlideFailure> },
     #[error(
-        "its linear systems take more than {most} iterations, as increments fail. The last failure: {last}"
+        "an increment failed after {most} iterations of Newton's method and of its linear systems, twice as many as are expected: {last}"
     )]
     TooMuchWork { most: usize, last: Box<SlideFailure> },
     #[error("stopped on request")]
@@ -130,8 +130,8 @@ pub struct Slide<'a> {
     pub history: Vec<SlideState>,
     pub recorder: Recorder,
     pub cutbacks: usize,
-    /// Iterations of the linear systems beyond which a failed increment ends the slide.
-    pub most_krylov: usize,
+    /// Iterations of Newton's method and of its linear systems beyond which a failed increment ends the slide.
+    pub most_iterations: usize,
     /// Largest increment relative to the slip so far, times [`increments::WHILE_STICKING`] or
     /// [`increments::WHILE_SLIDING`].
     increment_growth: f64,
@@ -169,7 +169,7 @@ impl<'a> Slide<'a> {
             history: Vec::new(),
             recorder: Recorder::default(),
             cutbacks: 0,
-            most_krylov: usize::MAX,
+            most_iterations: usize::MAX,
             increment_growth,
             inception_width: increments::INCEPTION_WIDTH,
             shears_without_limit: false,

@@ -140,10 +140,10 @@ impl Slide<'_> {
         }
         let last = Box::new(failure);
         match motion.failures {
-            _ if self.mechanics.effort.krylov > self.most_krylov => {
-                Err(SlideFailure::TooMuchWork { most: self.most_krylov, last })
+            failures if failures >= MOST_FAILURES => Err(SlideFailure::Discontinuous { failures, last }),
+            _ if self.mechanics.effort.iterations() > self.most_iterations => {
+                Err(SlideFailure::TooMuchWork { most: self.most_iterations, last })
             }
-            MOST_FAILURES => Err(SlideFailure::Discontinuous { failures: MOST_FAILURES, last }),
             _ => Ok(()),
         }
     }

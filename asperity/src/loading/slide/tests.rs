@@ -70,9 +70,9 @@ fn a_cut_back_restores_the_history_completely() {
     assert!(forced.history.last().unwrap().rise_max > 1.0);
 
     // If further increments fail, the motion ends, with the states before.
-    for (most_krylov, taken) in [(usize::MAX, MOST_FAILURES - 1), (0, 0)] {
+    for (most_iterations, taken) in [(usize::MAX, MOST_FAILURES - 1), (0, 0)] {
         let mut endless = ready(&problem);
-        (endless.rejecting, endless.most_krylov) = (1000, most_krylov);
+        (endless.rejecting, endless.most_iterations) = (1000, most_iterations);
         let ended = run(&mut endless, &[slip(FAST, distance)]).unwrap_err();
         let is_work = matches!(ended, SlideFailure::TooMuchWork { most: 0, .. });
         let is_failures = matches!(ended, SlideFailure::Discontinuous { failures: MOST_FAILURES, .. });

@@ -5,7 +5,7 @@ mod temperatures;
 
 use std::collections::HashMap;
 
-use tables::closed_forms::adhesion::{CONTAMINATED_METALS, DISTANCE_OF_ATOMS, pull_off_force};
+use tables::closed_forms::adhesion::{ATOMIC_SPACING, CONTAMINATED_METALS, pull_off_force};
 use tables::closed_forms::hertz::hertz_load;
 use tables::numbers::{digits, plain, rounded};
 use tables::quantity::{plausible, values_by_path};
@@ -94,29 +94,28 @@ impl Scene {
         })
     }
 
-    /// A contact too small for a continuum without adhesion. The load of an elastic sphere is the largest at an interference.
+    /// A contact so small that surface forces govern it. The load at an interference is about that of an elastic sphere, or less.
     fn too_small(&self) -> Option<String> {
         let Loading { interference, load, .. } = self.loading;
         let body = self.with_combined_modulus().material.elastic_plastic();
         let depth = interference * body.critical_interference(self.radius);
         let load = load.unwrap_or(hertz_load(body.contact_modulus(), self.radius, depth));
         let pull_off = pull_off_force(CONTAMINATED_METALS, self.radius);
-        let by_interference = self.loading.load.is_none();
-        if by_interference && interference < SMALLEST_INTERFERENCE {
+        if self.interference_in_metres().is_some() {
             return None;
         }
-        if by_interference && depth < DISTANCE_OF_ATOMS {
+        if depth < ATOMIC_SPACING {
             return Some(format!(
-                "the interference is {} m, less than the distance of atoms, {} m: the body is no continuum there",
+                "the interference, about {} m, is below the distance between atoms, {} m: surface forces and atomic roughness, \
+                 which the model leaves out, govern the contact",
                 digits(depth, 2),
-                plain(DISTANCE_OF_ATOMS)
+                plain(ATOMIC_SPACING)
             ));
         }
         (load < pull_off).then(|| {
             format!(
-                "the load, {}{} N, is below the pull-off force 2 pi w R = {} N with an energy of adhesion w of {} J/m2, that of \
-                 contaminated metals: adhesion, which the model leaves out, presses the contact more than the load",
-                if by_interference { "at most " } else { "" },
+                "the load, about {} N, is below the pull-off force 2 pi w R = {} N with an energy of adhesion w of {} J/m2, that \
+                 of contaminated metals: adhesion, which the model leaves out, presses the contact more than the load",
                 digits(load, 2),
                 digits(pull_off, 2),
                 plain(CONTAMINATED_METALS)

@@ -56,8 +56,8 @@ fn a_counterface_without_thermal_constants_is_said_to_be_isothermal() {
 /// R = 50 µm, ω_c = 2.2 nm: at 0.15 ω_c the load is 6.6 µN by Hertz, the pull-off force 15.7 µN.
 #[test]
 fn contacts_smaller_than_atoms_or_pressed_by_adhesion_are_named() {
-    only(remarks_hardened(&["loading.interference=0.1"]), "less than the distance of atoms");
-    let said = only(remarks_hardened(&["loading.interference=0.15"]), "the load, at most 6.");
+    only(remarks_hardened(&["loading.interference=0.1"]), "below the distance between atoms");
+    let said = only(remarks_hardened(&["loading.interference=0.15"]), "the load, about 6.");
     assert!(said.contains(" N, is below the pull-off force 2 pi w R = 1.6e-5 N"), "{said}");
     assert_eq!(remarks_hardened(&["loading.interference=1"]), Vec::<String>::new());
     let of_load = |load: &str| {
@@ -65,7 +65,7 @@ fn contacts_smaller_than_atoms_or_pressed_by_adhesion_are_named() {
 
         parse(&text, &[HARDENS]).unwrap().remarks()
     };
-    only(of_load("load = 1.5e-5"), "the load, 1.5e-5 N, is below the pull-off force");
+    only(of_load("load = 1.5e-5"), "the load, about 1.5e-5 N, is below the pull-off force");
     assert_eq!(of_load("load = 1.6e-5"), Vec::<String>::new());
 }
 
@@ -77,7 +77,7 @@ fn an_interference_in_metres_is_converted() {
     let said = of("2e-6");
     let expected = plain(rounded(2e-6 / critical, 3));
     assert!(said.len() == 2 && said[1].ends_with(&format!("is in metres, write {expected}")), "{said:?}");
-    only(of("1e-3"), "less than the distance of atoms");
+    only(of("1e-3"), "below the distance between atoms");
 }
 
 #[test]

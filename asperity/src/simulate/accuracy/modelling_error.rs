@@ -42,6 +42,8 @@ pub struct ModellingError {
     pub strain: f64,
     /// β² neglected in the press, see [`crate::loading::problem::PressFriction`].
     pub press_coupling: f64,
+    /// Relative change of `G` by the neglected coupling of the press.
+    pub press_energy: f64,
     /// Δβ² (√3τ/σ_Y)² ω_c/ω₀ neglected in the slide, which is that on a rigid flat.
     pub slide_coupling: f64,
     /// a/R times the shares of the elastic compliance of the counterface, which is a half-space, and of elasticity in the load.
@@ -50,6 +52,12 @@ pub struct ModellingError {
     pub friction_exponent: f64,
     /// Bounds where shear localises in one layer of elements: values follow the mesh.
     pub localised_shear: Option<&'static localised_shear::Bounds>,
+}
+
+/// Relative change of `G` by a neglected β² of the press, at the largest mean shear traction over the shear strength.
+pub fn energy_of_press(press_coupling: f64, traction: f64) -> f64 {
+    use coupling_of_press::{ENERGY, ENERGY_EXPONENT};
+    if traction > 0.0 { ENERGY * press_coupling * traction.powf(-ENERGY_EXPONENT) } else { 0.0 }
 }
 
 impl ModellingError {
@@ -97,7 +105,6 @@ impl ModellingError {
                 }
                 ContactRadius => 0.5 * coupling_of_press::AREA,
                 InceptionSlip => coupling_of_press::INCEPTION_SLIP,
-                EnergyRelease => coupling_of_press::ENERGY,
                 _ => 0.0,
             };
         let slide = self.slide_coupling
@@ -122,7 +129,8 @@ impl ModellingError {
             + shared
             + match quantity {
                 Mu | MuPeak | MuMean | MuSteady => softening + load + self.strain,
-                MuStatic | FrictionStatic | EnergyRelease => self.strain,
+                MuStatic | FrictionStatic => self.strain,
+                EnergyRelease => self.press_energy + self.strain,
                 Friction | EnergyWeakening => softening + self.strain,
                 Area => load + self.strain,
                 Load => load,
@@ -165,6 +173,34 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// β on a rigid flat, f_τ, and the changes of the slip at inception and of `G` from full stick to no friction over β²: the largest
+    /// of either sign among those of [`coupling_of_press`]. Half of that coupling changes results without friction by no more than is
+    /// stated.
+    #[test]
+    fn the_neglected_energy_of_the_press_is_covered() {
+        let (stiff, soft, none): (f64, f64, f64) = (0.44 / 1.44, 0.2 / 1.2, 0.5);
+        for (beta, strength, slip, energy) in [
+            (none, 1.0, -0.254, -1.006),
+            (stiff, 1.0, 1.123, -1.754),
+            (soft, 1.0, 1.336, -3.181),
+            (none, 0.5, -0.751, -2.755),
+            (stiff, 0.6, -1.367, -5.784),
+            (stiff, 0.3, -2.125, -7.953),
+        ] {
+            let press_coupling = 0.5 * beta * beta;
+            let press_energy = energy_of_press(press_coupling, strength);
+            let error = ModellingError { press_coupling, press_energy, ..Default::default() };
+            for (quantity, of_full_stick) in
+                [(Quantity::InceptionSlip, slip), (Quantity::EnergyRelease, energy)]
+            {
+                let whole = 1.0 / (1.0 + of_full_stick * beta * beta) - 1.0;
+                let stated = COVERAGE_FACTOR * OF_BOUND * error.share(quantity);
+                assert!(0.5 * whole.abs() <= stated, "{beta} {strength} {quantity:?}: {whole} {stated}");
+            }
+        }
+        assert_eq!(energy_of_press(0.0, 0.0), 0.0);
     }
 
     /// Ti-6Al-4V on itself, Coulomb friction of 0.5, 0.5 ω_c (a/R = 0.02488), 33.0 N, slip of 0.004 a: Q = 5.53 N; Cattaneo and

@@ -214,14 +214,14 @@ pub(super) struct RunProgress {
     pub span: (f64, f64),
     /// Whether the slide goes on until its steady friction is known.
     pub goes_on: bool,
-    /// Iterations of the linear systems beyond which a failed increment ends the slide.
-    pub most_krylov: usize,
+    /// Iterations of Newton's method and of its linear systems beyond which a failed increment ends the slide.
+    pub most_iterations: usize,
 }
 
 impl RunProgress {
     /// A run that ends with the slide.
     pub fn new(kind: &'static str, span: (f64, f64)) -> Self {
-        Self { kind, span, goes_on: false, most_krylov: usize::MAX }
+        Self { kind, span, goes_on: false, most_iterations: usize::MAX }
     }
 
     /// Share of the whole after a share `done` of the run.

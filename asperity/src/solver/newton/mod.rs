@@ -31,9 +31,6 @@ const NEWTON_LIMIT: usize = 80;
 /// equilibrium with this increment.
 const STAGNATION_TOLERANCE: f64 = 1e-6;
 const STAGNATION_LIMIT: usize = 3;
-/// Iterations of the linear systems since the smallest residual beyond which the step has failed. Steps that are solved have up to
-/// 13 iterations of Newton's method there, each of fewer than 75, or more where points touch and lift off, each of one or two.
-const DIVERGENCE_LIMIT: usize = 1000;
 /// Residual over the tolerance up to which a stagnant step counts as solved; the residual is a part of the error.
 const ACCEPTED_STAGNATION: f64 = 10.0;
 /// Forcing terms of the linear systems: no more accuracy than the next Newton step can use. While temperature and
@@ -80,6 +77,11 @@ pub struct Effort {
 }
 
 impl Effort {
+    /// Iterations of Newton's method and of the linear systems: the work, in units that depend on the mesh.
+    pub fn iterations(&self) -> usize {
+        self.newton + self.krylov
+    }
+
     /// Counts a step solved with this relative residual.
     fn accept(&mut self, residual: f64, tolerance: f64) {
         if residual > tolerance {
@@ -162,9 +164,8 @@ impl Mechanics {
         let [mut residual, mut direction] = [0, 1].map(|_| vec![0.0; now.u.len()]);
         now.trial.resize(now.u.len(), 0.0);
         self.internal_force(&now.u[..size], now.data.rise.as_deref());
-        let (mut smallest, mut at_smallest) = (f64::INFINITY, 0);
-        let (mut iteration, mut is_stagnant) = (0, false);
-        loop {
+        let (mut last, mut is_stagnant) = (f64::INFINITY, false);
+        for iteration in 0..NEWTON_LIMIT {
             let interference = now.u.get(size).copied().unwrap_or(flat.interference);
             let flat = FlatPosition { interference, ..flat };
             self.residual(&mut now, flat, control, &mut residual);
@@ -178,24 +179,17 @@ impl Mechanics {
             let norm = squared.max(0.0).sqrt();
             let reference = (0.5 * self.contact.load(&self.contact.trial) * flat.interference).sqrt();
             let scale = reference.max(f64::MIN_POSITIVE);
-            let relative = norm / scale;
-            if relative < smallest {
-                (smallest, at_smallest) = (relative, self.effort.krylov);
-            }
-            let is_diverged =
-                iteration == NEWTON_LIMIT || self.effort.krylov - at_smallest > DIVERGENCE_LIMIT;
-            if now.data.converged && is_solved(relative, self.tolerance, is_stagnant || is_diverged) {
+            last = norm / scale;
+            let is_last = is_stagnant || iteration + 1 == NEWTON_LIMIT;
+            if now.data.converged && is_solved(last, self.tolerance, is_last) {
                 now.chattering.check(&self.contact, &now.data.limit)?;
-                self.effort.accept(relative, self.tolerance);
+                self.effort.accept(last, self.tolerance);
                 now.u.truncate(size);
                 self.displacement = now.u;
                 return Ok(flat);
             }
-            if is_diverged {
-                now.chattering.check(&self.contact, &now.data.limit)?;
-            }
-            if is_stagnant || is_diverged {
-                return Err(StepFailure::Newton { iterations: iteration, residual: relative });
+            if is_stagnant {
+                return Err(StepFailure::Newton { iterations: iteration, residual: last });
             }
             self.effort.newton += 1;
             let least = if now.data.converged { FORCING } else { COUPLED_FORCING };
@@ -206,10 +200,11 @@ impl Mechanics {
             }
             let line = Line { direction: &direction, residual: &residual, flat, control };
             let refresh = norm <= REFRESH * scale;
-            iteration += 1;
-            let next = |body: &mut Body, contact: &mut Contact| coupling(body, contact, iteration);
+            let next = |body: &mut Body, contact: &mut Contact| coupling(body, contact, iteration + 1);
             is_stagnant = !self.advance(&mut now, &line, refresh, next);
         }
+        now.chattering.check(&self.contact, &now.data.limit)?;
+        Err(StepFailure::Newton { iterations: NEWTON_LIMIT, residual: last })
     }
 
     /// Forces of body and contact that are not in balance, and the missing load under load control.

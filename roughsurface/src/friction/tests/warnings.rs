@@ -3,6 +3,7 @@
 use super::*;
 use crate::integral::law_source::{LawSource, SceneConstants};
 use std::f64::consts::PI;
+use tables::closed_forms::hertz::{contact_modulus, hertz_load};
 
 #[test]
 fn large_real_areas_are_warned_of_with_the_key_that_helps() {
@@ -39,6 +40,22 @@ fn an_interface_stronger_than_the_pressure_is_warned_of() {
         let strong = matching!(found.warnings, Warning::StrongInterface { friction, .. } => *friction).next();
         let friction = found.friction[0][0].mu_static.value;
         assert_eq!(strong, is_strong.then_some(friction));
+    }
+}
+
+/// The mean load of a contact under exponential heights is (4/3) E* √R s^{3/2} Γ(5/2) at any pressure (Hertz).
+#[test]
+fn contacts_pressed_by_adhesion_are_warned_of() {
+    let law = closed_form("hertz", &STEEL).unwrap();
+    let (radius, of_gamma) = (1e-4, 0.75 * PI.sqrt());
+    let pull_off = 2.0 * PI * 0.05 * radius;
+    let unit = hertz_load(contact_modulus(STEEL.youngs_modulus, STEEL.poisson_ratio), radius, 1.0) * of_gamma;
+    for (factor, is_warned) in [(0.99, true), (1.01, false)] {
+        let surface = surface(Exponential::new((factor * pull_off / unit).powf(2.0 / 3.0)));
+        let found = predicted(law.as_ref(), &surface, &[1e3], &[1.0], LoadingControl::Load).unwrap();
+        let load = matching!(found.warnings, Warning::Adhesion { load, .. } => *load).next();
+        assert_eq!(load.is_some(), is_warned, "{load:?}");
+        assert!(load.is_none_or(|load| (load / pull_off - factor).abs() < 1e-3), "{load:?} {pull_off}");
     }
 }
 

@@ -64,26 +64,23 @@ impl Values {
                 "must be numbers such as 1e6, 1e5,1e6 or a range 0.1..10 or 0.1..10:7 (points), each without unit or with one of {units}"
             )
         };
-        let mut with_unit = Vec::new();
-        let mut number = |text: &str| {
-            let (number, has_unit) = units.number(text).ok_or_else(form)?;
-            with_unit.push(has_unit);
-            Ok::<f64, String>(number)
-        };
-        let values = match text.split_once("..") {
-            None => Self(text.split(',').map(&mut number).collect::<Result<_, _>>()?),
-            Some((from, to)) => {
-                let (to, points) = match to.split_once(':') {
-                    Some((to, points)) => (to, Some(points.trim().parse().map_err(|_| form())?)),
-                    None => (to, None),
-                };
-                PointRange { from: number(from)?, to: number(to)?, points, spacing: None }.values()?
+        let numbers = |texts: &[&str]| {
+            let read: Option<Vec<(f64, bool)>> = texts.iter().map(|text| units.number(text)).collect();
+            let read = read.ok_or_else(form)?;
+            match read.iter().all(|(_, has_unit)| *has_unit == read[0].1) {
+                true => Ok(read.into_iter().map(|(number, _)| number).collect::<Vec<f64>>()),
+                false => Err("must have a unit behind each number, or behind none".into()),
             }
         };
-        match with_unit.iter().all(|has_unit| *has_unit == with_unit[0]) {
-            true => Ok(values),
-            false => Err("must have a unit behind each number, or behind none".into()),
-        }
+        let Some((from, to)) = text.split_once("..") else {
+            return numbers(&text.split(',').collect::<Vec<_>>()).map(Self);
+        };
+        let (to, points) = match to.split_once(':') {
+            Some((to, points)) => (to, Some(points.trim().parse().map_err(|_| form())?)),
+            None => (to, None),
+        };
+        let ends = numbers(&[from, to])?;
+        PointRange { from: ends[0], to: ends[1], points, spacing: None }.values()
     }
 }
 
@@ -126,7 +123,7 @@ impl<'de> Visitor<'de> for ValuesVisitor {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::units::PRESSURE;
+    use crate::surface::units::{LENGTH, PRESSURE, SLIP_RATE};
 
     #[test]
     fn numbers_lists_and_ranges_of_the_command_line() {
@@ -141,10 +138,13 @@ mod tests {
         assert_eq!(of("-1..1:3"), [-1.0, 0.0, 1.0]);
         assert_eq!(of("0..1").len(), 11);
         assert_eq!(of("1kPa, 0.5 MPa"), [1e3, 5e5]);
+        assert_eq!(Values::parse("-0.1um, 5um", &LENGTH).unwrap().0, [-0.1e-6, 5e-6]);
+        assert_eq!(Values::parse("9mm/s", &SLIP_RATE).unwrap().0, [9e-3]);
+        for (text, units) in [("0.1..10MPa", &PRESSURE), ("0.1..10um", &LENGTH), ("1,5mm/s", &SLIP_RATE)] {
+            assert!(Values::parse(text, units).unwrap_err().contains("behind each number"), "{text}");
+        }
         assert_eq!(of("1MPa..100MPa:3"), [1e6, 1e7, 1e8]);
-        for text in
-            ["", "one", "1..", "10..1", "1..10:1", "1..10:x", "1,,2", "1..inf", "nan..1", "0.1..10MPa", "1um"]
-        {
+        for text in ["", "one", "1..", "10..1", "1..10:1", "1..10:x", "1,,2", "1..inf", "nan..1", "1um"] {
             assert!(read(text).is_err(), "{text}");
         }
     }
