@@ -227,11 +227,10 @@ pub(crate) mod localised_shear {
 ///   | 0.5, 0.6 | 0, 0.28 | −1.4 to 0.0 | −5.8 to +1.6 |
 ///   | 0.3 | 0.28 | −2.1 to −0.5 | −8.0 to +3.0 |
 ///
-///   The weaker the interface, the larger the energy of the press is beside `G`.
 /// - Residual: the stated errors are 1 to 1.6 times the changes of load and area. Those of slip and `G` hold the changes by half of the
-///   coupling, relative to no friction: a test beside the formula.
-/// - Repeated by: the ratios of load and area by `asperity verify` (full stick), and the test beside the formula; those of the
-///   slip at inception and `G` by `asperity run` with `PressFriction::of` changed.
+///   coupling, relative to no friction.
+/// - Repeated by: the ratios of load and area by `asperity verify` (full stick), all by the tests beside the formula; the runs of
+///   slip and `G` by `asperity run` with `PressFriction::of` changed.
 pub(crate) mod coupling_of_press {
     pub const LOAD: f64 = 0.21;
     pub const AREA: f64 = 0.34;

@@ -45,8 +45,8 @@ impl<'a> Conditions<'a> {
         if let Some(heating) = runaway(scene).filter(|_| heat.is_coupled()) {
             return Err(SimulationError::Unsupported(format!(
                 "plastic flow heats this material by {heating:.0e} K per unit of strain, so that it expands or melts faster \
-                 than it flows: a slide with heat has no equilibrium. Check material.density, specific_heat and \
-                 yield_strength; model.heat = \"off\" leaves heat out"
+                 than it flows: a slide with heat has no equilibrium. Check material.density, specific_heat, \
+                 thermal_expansion and yield_strength; model.heat = \"off\" leaves heat out"
             )));
         }
         let speed = if heat.is_coupled() { slip_rate / problem.units.speed() } else { 0.0 };

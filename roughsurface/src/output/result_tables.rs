@@ -15,6 +15,9 @@ pub(super) const NOT_AVAILABLE: &str = "n/a";
 /// Shown in place of a share that is zero.
 pub(super) const NO_SHARE: &str = "-";
 
+/// Least error of a temperature that is shown, K.
+const LEAST_SHOWN_KELVIN: f64 = 0.1;
+
 /// Value and error of a number without unit.
 pub(super) fn estimate(estimate: Estimate) -> String {
     if estimate.value.is_finite() { numbers::with_error(estimate, "1") } else { NOT_AVAILABLE.into() }
@@ -32,7 +35,8 @@ fn shown(name: &str, cell: &Friction) -> String {
         (Source::Share(_), Some(Estimate { value, .. })) if value < 5e-5 => NO_SHARE.into(),
         (Source::Share(_), Some(Estimate { value, .. })) => format!("{:.2} %", 100.0 * value),
         (_, Some(Estimate { value, error })) if value.is_finite() && quantity.unit == "K" => {
-            format!("{value:.1} ± {error:.1}")
+            let shown = if error > 0.0 { error.max(LEAST_SHOWN_KELVIN) } else { error };
+            format!("{value:.1} ± {shown:.1}")
         }
         (_, Some(estimate)) => self::estimate(estimate),
         (_, None) => NOT_AVAILABLE.into(),

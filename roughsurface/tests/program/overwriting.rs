@@ -125,6 +125,22 @@ fn an_export_for_which_there_is_no_room_leaves_nothing() {
     assert_eq!(std::fs::read_dir(folder.path("left")).unwrap().count(), 0);
 }
 
+/// What a user writes into a surface file cannot be computed again.
+#[test]
+fn an_edited_surface_file_is_not_replaced() {
+    let folder = folder();
+    let line = "characterize map.nc --cutoff 1.6um -o map.toml";
+    folder.run_well(line);
+    folder.run_well(line);
+    let file = folder.path("map.toml");
+    let text = std::fs::read_to_string(&file).unwrap();
+    for edited in [format!("{text}[query]\npressure = 1e6\n"), text.replacen("Cut-off", "Cutoff", 1)] {
+        std::fs::write(&file, &edited).unwrap();
+        folder.refused(line, "was changed since `roughsurface characterize` wrote it");
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), edited);
+    }
+}
+
 /// The file of heights beside the surface file would replace the map.
 #[test]
 fn the_file_of_heights_is_an_output_too() {

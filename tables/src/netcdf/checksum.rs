@@ -24,6 +24,19 @@ const BYTES_OF_PLACES: u8 = 8;
 const END_OF_DATA: usize = 28;
 const HEAD: usize = END_OF_DATA + 8;
 
+/// Comment of a TOML file with the checksum of all before it.
+const COMMENT: &str = "# sha256 of all before this line: ";
+
+/// A text of lines with the comment that tells whether it was changed.
+pub fn sealed(text: &str) -> String {
+    format!("{text}{COMMENT}{:x}\n", Sha256::digest(text))
+}
+
+/// Whether a text is as [`sealed`] wrote it.
+pub fn is_unchanged(text: &str) -> bool {
+    text.rfind(COMMENT).is_some_and(|place| sealed(&text[..place]) == text)
+}
+
 /// Appends the line to the bytes of a complete file.
 pub(super) fn append(bytes: &mut Vec<u8>) -> io::Result<()> {
     let line = line(bytes.as_slice())?;

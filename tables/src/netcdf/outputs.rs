@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::OutputError;
 use super::atomic::{check_protection, destination, folder_of};
+use super::checksum::is_unchanged;
 use super::distinct::check_distinct;
 use super::reader::DatasetReader;
 use super::schema::SCHEMA;
@@ -53,6 +54,11 @@ pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError>
             let why = "was not written by `roughsurface characterize`; choose another name, or delete it";
             return refused(output, why);
         }
+        if is_edited(output) {
+            let why =
+                "was changed since `roughsurface characterize` wrote it; choose another name, or delete it";
+            return refused(output, why);
+        }
     }
     check_of_others(outputs)
 }
@@ -85,6 +91,12 @@ fn is_of_others(output: &Path, extensions: &[&str]) -> bool {
         && !TEXTS.iter().any(|text| start.starts_with(text.as_bytes()))
 }
 
+/// Whether a surface file of `roughsurface characterize` is not as it was written.
+fn is_edited(output: &Path) -> bool {
+    let is_surface = beginning(output).starts_with(SURFACE.as_bytes());
+    is_surface && std::fs::read_to_string(output).is_ok_and(|text| !is_unchanged(&text))
+}
+
 /// First words of the attribute `source` of the files of this project.
 const PROGRAMS: [&str; 2] = ["asperity ", "roughsurface "];
 
@@ -103,8 +115,9 @@ const TEXTS: [&str; 6] = [
     "temperature_K,",
     "% Friction coefficient",
     "# Heights of summits",
-    "# Summits of ",
+    SURFACE,
 ];
+const SURFACE: &str = "# Summits of ";
 
 /// A text attribute; empty if there is none.
 fn text(file: &DatasetReader, name: &str) -> String {

@@ -88,13 +88,15 @@ fn text(table: &Table, table_name: &str, verbose: bool) -> String {
     if !metadata.shard.is_empty() {
         line("shard", metadata.shard.clone());
     }
-    // Starts at +0: the sum of an empty list is −0.
-    let cost = slices.iter().map(Slice::cost).fold(0.0, |sum, cost| sum + cost);
-    line("cost", format!("{} s in all, {} s a cell", plain(cost.round()), plain(cost / done.max(1) as f64)));
+    // Cells between the temperatures of a file are neither computed nor stored.
+    let cost = slices.iter().map(Slice::cost).sum::<f64>();
+    if cost > 0.0 {
+        line("cost", format!("{} s in all, {} s a cell", plain(cost.round()), plain(cost / done as f64)));
+        let (version, checksum) = (table.schema_version(), table.checksum());
+        line("schema", format!("version {version}, content agrees with its {checksum}"));
+    }
     let fingerprint = if metadata.fingerprint.is_empty() { "none" } else { &metadata.fingerprint };
     line("made by", format!("{}, fingerprint {fingerprint}", metadata.source));
-    let (version, checksum) = (table.schema_version(), table.checksum());
-    line("schema", format!("version {version}, content agrees with its {checksum}"));
     for entry in metadata.history.lines() {
         line("history", entry.to_string());
     }

@@ -293,6 +293,9 @@ impl<'a> Slide<'a> {
             FrictionLaw::FullStick => {
                 "law = \"shear-strength\" with strength_factor = 0.9; with law = \"full-stick\" a shorter slip_distance"
             }
+            FrictionLaw::Coulomb { cap: false, .. } | FrictionLaw::BriscoeTabor { cap: false, .. } => {
+                "interface.cap = true, which limits friction to the strength of the metal, or a smaller friction or film_strength"
+            }
             _ => "a smaller interface.strength_factor, 0.9 of the present one or less, or material.hardening",
         };
         SlideFailure::Distorted { strain, stick_fraction, remedy }

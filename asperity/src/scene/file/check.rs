@@ -13,6 +13,12 @@ const WITHOUT_KEYS: [&str; 4] = ["none", "shear-strength", "full-stick", "fricti
 
 /// Whether all keys of the section at `path` are among `keys`, taken by its law, and within their ranges.
 pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result<(), SceneFileError> {
+    // Of an unknown law serde says so, not that a key is unknown or belongs to another.
+    let known = |law: &str| WITHOUT_KEYS.contains(&law) || keys.iter().any(|key| key.laws.contains(&law));
+    let law = table.get("law").and_then(Value::as_str);
+    if law.is_some_and(|law| !known(law)) {
+        return Ok(());
+    }
     for name in table.keys() {
         if !keys.iter().any(|key| key.name == name) {
             let known: Vec<&str> = keys.iter().map(|key| key.name).collect();
@@ -31,9 +37,6 @@ pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result
             });
         }
     }
-    // Of an unknown law serde says so, not that a key belongs to another.
-    let known = |law: &str| WITHOUT_KEYS.contains(&law) || keys.iter().any(|key| key.laws.contains(&law));
-    let law = table.get("law").and_then(Value::as_str).filter(|law| known(law));
     for key in keys {
         let Some(value) = table.get(key.name) else {
             continue;
