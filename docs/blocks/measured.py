@@ -28,7 +28,7 @@ PEERS = ROOT / "examples/peers"
 PEER_NAMES = {"asperity": "asperity", "calculix": "CalculiX", "getfem": "GetFEM"}
 
 
-@block("refinement", 20)
+@block("refinement", 30)
 def refinement():
     """Three meshes of 4340 steel at 20 ω_c, and three numbers of angles."""
     slide = {"loading__slip_rate": 0, "loading__slip_distance": 0.2, "model__kinematics": "small"}
@@ -77,7 +77,7 @@ def titanium(interference, elements, **settings):
     )
 
 
-@block("first-heat", 7)
+@block("first-heat", 75)
 def first_heat():
     """Titanium that softens before it slides."""
     rows = []
@@ -87,7 +87,7 @@ def first_heat():
     return table(["$n_c$", r"$\mu_\text{static}$", "estimated error"], rows)
 
 
-@block("thermal-layer", 12)
+@block("thermal-layer", 50)
 def thermal_layer():
     """Titanium where the heated layer is thin."""
     rows = []
@@ -99,7 +99,7 @@ def thermal_layer():
     return table(["$n_c$", r"$\mu$", "estimated error", r"$T_\text{max}$ (K)"], rows)
 
 
-@block("verify", 120, by_name=True)
+@block("verify", 400, by_name=True)
 def verify():
     """Every row of `asperity verify`."""
     return verification(asperity("verify"))
@@ -138,7 +138,7 @@ def verification(report):
     return text + "\n"
 
 
-@block("press", 9)
+@block("press", 25)
 def press():
     """The press beside published fits, from the example `press_curves`."""
     cases, head = {}, None

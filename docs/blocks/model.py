@@ -21,7 +21,7 @@ from .common import (
 )
 
 
-@block("kinematics", 5)
+@block("kinematics", 10)
 def kinematics():
     """Small against finite strain, 4340 steel over two contact radii without heat."""
     rows = []
@@ -165,7 +165,7 @@ def rate_law():
     return table(head, rows)
 
 
-@block("junction-strength", 15)
+@block("junction-strength", 130)
 def junction_strength():
     """Copper with the strength of the virgin and of the hardened metal at the interface."""
     rows = []
@@ -226,7 +226,7 @@ def rate_step_superposition():
     return table([*head, *[f"$x = {slip} a_0$" for slip in slips], "difference over change"], rows)
 
 
-@block("no-end-state", 50)
+@block("no-end-state", 130)
 def no_end_state():
     """Body and interface of equal strength, from the example of that name."""
     rows = []
@@ -238,7 +238,7 @@ def no_end_state():
     return table(head, rows)
 
 
-@block("robustness", 150, by_name=True)
+@block("robustness", 600, by_name=True)
 def robustness():
     """How the robustness suite ends."""
     suite = asperity("verify", "--robustness")

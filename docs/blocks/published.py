@@ -56,7 +56,7 @@ def cases(text):
             yield [words[0], *case, *("–" if word in ("-", "0.000") else word for word in words[1:])]
 
 
-@block("static-friction", 20)
+@block("static-friction", 55)
 def static_friction():
     """Thresholds of the stiffness beside published static friction, from the example `static_friction`."""
     order = {"full-stick": 0, "shear-strength": 1}
@@ -65,7 +65,7 @@ def static_friction():
     return table(head, [row[:10] for row in rows])
 
 
-@block("first-failure", 3)
+@block("first-failure", 15)
 def first_failure():
     """Static friction around first yield beside Kogut & Etsion, from the same example."""
     text, _, _ = call(program("examples") / "static_friction", "light")
