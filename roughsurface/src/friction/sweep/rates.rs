@@ -6,8 +6,7 @@ use crate::friction::rate_step::{self, RateStepResponse, Stepped};
 use crate::surface::query::ContactLife;
 use tables::law::Estimate;
 
-/// The slip rates of ascending `rates` within a range, and its ends where they are not among them; none if fewer than two are
-/// positive.
+/// The slip rates of ascending `rates` within a range, and its ends where they are not among them.
 fn in_common(mut rates: Vec<f64>, (from, to): (f64, f64)) -> Vec<f64> {
     /// Distance in ln V of slip rates that are not taken for one.
     const APART: f64 = 0.1;
@@ -21,7 +20,7 @@ fn in_common(mut rates: Vec<f64>, (from, to): (f64, f64)) -> Vec<f64> {
         }
     }
     rates.sort_by(f64::total_cmp);
-    if rates.iter().filter(|rate| **rate > 0.0).count() < 2 { Vec::new() } else { rates }
+    rates
 }
 
 impl<'a> Sweep<'a> {
@@ -108,5 +107,7 @@ mod tests {
         // An end by rounding beside a rate of the table is that rate.
         assert_eq!(in_common(rates(), (0.0999, 10.001)), [0.1, 1.0, 10.0]);
         assert!(in_common(Vec::new(), (0.05, 2.5)).is_empty());
+        // The rates of a query do not take the place of a table of one positive rate, which tells no derivative.
+        assert_eq!(in_common(vec![0.0, 3.0], (0.0, 3.0)), [0.0, 3.0]);
     }
 }
