@@ -227,17 +227,17 @@ pub(crate) mod localised_shear {
 ///   | 0.5, 0.6 | 0, 0.28 | −1.4 to 0.0 | −5.8 to +1.6 |
 ///   | 0.3 | 0.28 | −2.1 to −0.5 | −8.0 to +3.0 |
 ///
-/// - Residual: the stated errors are 1 to 1.6 times the changes of load and area. Those of slip and `G` hold the changes by half of the
-///   coupling, relative to no friction.
+/// - Residual: the stated errors are 1 to 1.6 times the changes of load and area; those of slip and `G` hold half of the changes.
 /// - Repeated by: the ratios of load and area by `asperity verify` (full stick), all by the tests beside the formula; the runs of
 ///   slip and `G` by `asperity run` with `PressFriction::of` changed.
 pub(crate) mod coupling_of_press {
     pub const LOAD: f64 = 0.21;
     pub const AREA: f64 = 0.34;
     pub const INCEPTION_SLIP: f64 = 2.3;
-    /// Of an interface with the shear strength of the body; of others over the power [`ENERGY_EXPONENT`] of their share of it.
+    /// Of an interface as strong as the body; of others over this power of their share of its strength, at least [`WEAKEST`].
     pub const ENERGY: f64 = 3.2;
     pub const ENERGY_EXPONENT: f64 = 2.5;
+    pub const WEAKEST: f64 = 0.3;
 }
 
 /// Modelling error of the coupling of pressure and shear displacements in the slide, which is that on a rigid flat, see

@@ -19,7 +19,6 @@ use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::steady::{LONGEST, SteadyState, has_gone_far_enough, has_to_go_on};
 use crate::simulate::values::Values;
 use crate::solver::timings::{Kernel, Timings};
-use tables::quantity::Estimate;
 
 impl Conditions<'_> {
     /// A slide from its press.
@@ -81,12 +80,10 @@ impl Conditions<'_> {
             Ok(Some(motion)) if progress.is_some_and(|progress| progress.goes_on) => {
                 run.steady = self.go_on(&mut slide, motion, radius, watch);
             }
-            Ok(_) => {}
-            Err(failure) => {
-                // The trend of a slide that did not finish is not one towards a steady state.
-                run.values.set_steady_friction(Estimate::UNKNOWN);
-                run.failure = Some(failure);
-            }
+            end => run.failure = end.err(),
+        }
+        if run.failure.is_some() {
+            run.values.forget_steady_friction();
         }
         run.timings = slide.mechanics.timings;
         run.timings.add(Kernel::Rest, started.elapsed().as_secs_f64() - run.timings.total());

@@ -118,6 +118,15 @@ impl Values {
         self.brackets[Quantity::MuSteady as usize] = steady.error;
     }
 
+    /// The trend of a slide that did not finish is not one towards a steady state.
+    pub fn forget_steady_friction(&mut self) {
+        // Without friction it is 0.
+        if self.value(Quantity::MuSteady) != 0.0 {
+            self.set_steady_friction(Estimate::UNKNOWN);
+            self.steady = false;
+        }
+    }
+
     pub fn value(&self, quantity: Quantity) -> f64 {
         self.values[quantity as usize]
     }

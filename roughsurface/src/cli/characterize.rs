@@ -7,7 +7,6 @@ use clap::builder::PossibleValuesParser;
 use roughsurface::topography::report::{self, WhichSummits};
 use std::path::PathBuf;
 use tables::figures::Figure;
-use tables::netcdf::sealed;
 
 pub const HELP: &str = "\
 Formats, told apart by content: GSF (Gwyddion), NetCDF as SurfaceTopography writes it, X3P
@@ -75,7 +74,7 @@ pub fn run(options: &Characterize, display: &Display) -> Result<(), Failure> {
         }
         let name = heights.map(|path| path.file_name().unwrap_or_default().to_string_lossy().into_owned());
         let source = options.measured.name(&options.topography);
-        write_whole(output, sealed(&report::surface_file(&found, &source, name.as_deref())).as_bytes())?;
+        write_whole(output, report::surface_file(&found, &source, name.as_deref()).as_bytes())?;
     }
     if let Some(plot) = &options.plot {
         let drawn = report::figure(&found).only(&options.panel).and_then(|figure| figure.save(plot));

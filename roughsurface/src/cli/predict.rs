@@ -67,7 +67,7 @@ keeps their mean pressure and friction.";
 pub struct Predict {
     #[command(flatten)]
     input: InputOptions,
-    /// Response of steady sliding to a step of the slip rate, m/s, such as 0.1..1; the contacts have the life --contact-life
+    /// Response of steady sliding to a step of the slip rate, m/s or with units, such as 0.1..1; the contacts have the life --contact-life
     #[arg(long, value_name = "BEFORE..AFTER", value_parser = step)]
     rate_step: Option<[f64; 2]>,
     /// Result (netCDF)
@@ -99,9 +99,10 @@ fn models() -> PossibleValuesParser {
 }
 
 fn step(text: &str) -> Result<[f64; 2], String> {
-    let rate = |text| Some(SLIP_RATE.number(text)?.0);
-    let rates = text.split_once("..").and_then(|(before, after)| Some([rate(before)?, rate(after)?]));
-    rates.ok_or_else(|| "must be two slip rates in m/s or each with a unit, such as 0.1..1".into())
+    const FORM: &str = "must be two slip rates such as 0.1..1";
+    let (before, after) = text.split_once("..").ok_or(FORM)?;
+    let rates = SLIP_RATE.numbers(&[before, after], FORM)?;
+    Ok([rates[0], rates[1]])
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

@@ -53,11 +53,25 @@ impl Units {
         }
         let (number, symbol) = text.split_at(text.rfind(|c: char| c.is_ascii_digit() || c == '.')? + 1);
         let factor = self.factor(symbol)?;
-        let exponent = factor.log10().round();
-        // By the exponent, 5um is the number that 5e-6 is; by the product it may be the one beside it.
-        let scaled = format!("{number}e{exponent}").parse::<f64>().ok();
-        let is_power = format!("1e{exponent}").parse() == Ok(factor);
-        Some((scaled.filter(|_| is_power).or_else(|| Some(number.parse::<f64>().ok()? * factor))?, true))
+        let power = factor.log10().round();
+        if format!("1e{power}").parse() != Ok(factor) {
+            return Some((number.parse::<f64>().ok()? * factor, true));
+        }
+        // By the exponent 5um is the number that 5e-6 is; by the product it may be the one beside it.
+        let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+        let exponent = exponent.parse::<i32>().ok()? + power as i32;
+        Some((format!("{mantissa}e{exponent}").parse().ok()?, true))
+    }
+
+    /// Numbers that all are in SI units, or all have a unit; otherwise the rule, of numbers of the form `form`.
+    pub fn numbers(&self, texts: &[&str], form: &str) -> Result<Vec<f64>, String> {
+        let read: Option<Vec<(f64, bool)>> = texts.iter().map(|text| self.number(text)).collect();
+        let read =
+            read.ok_or_else(|| format!("{form}, each without unit or with one of {}", self.known()))?;
+        match read.iter().all(|(_, has_unit)| *has_unit == read[0].1) {
+            true => Ok(read.into_iter().map(|(number, _)| number).collect()),
+            false => Err("must have a unit behind each number, or behind none".into()),
+        }
     }
 }
 
@@ -86,7 +100,7 @@ mod tests {
             ("4 µin", 101.6e-9),
         ] {
             let found = length(text).unwrap();
-            assert!(found == metres || (found / metres - 1.0).abs() < 1e-15, "{text}: {found:e}");
+            assert_eq!(found, metres, "{text}");
         }
         for text in ["", "um", "-1e-6", "2 furlongs", "inf", "0"] {
             assert!(length(text).is_err(), "{text}");

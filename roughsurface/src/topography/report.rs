@@ -5,6 +5,7 @@ use super::nayak::Nayak;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tables::figures::{Axis, Curve, Figure, Panel};
+use tables::netcdf::sealed;
 
 /// Nominal pressures (Pa) and slip rates (m/s) of the query of a surface file.
 pub const PRESSURES: [f64; 3] = [1e5, 1e6, 1e7];
@@ -181,8 +182,8 @@ pub fn sections_of(summits: &Nayak) -> String {
     sections(summits.density, summits.radius, &gaussian(summits.std))
 }
 
-/// A surface file with the summits, ready for `roughsurface predict`; `heights` is the name of the
-/// file of the heights of the summits found, where these are chosen.
+/// A surface file with the summits, ready for `roughsurface predict`, which a comment tells from an edited one; `heights` is the name
+/// of the file of the heights of the summits found, where these are chosen.
 pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str>) -> String {
     let (moments, summits) = found.in_contact();
     let (density, radius, distribution, mean) = match heights {
@@ -199,7 +200,7 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
     let plane = if heights.is_some() { "mean plane of the surface" } else { "mean plane of the summits" };
     // A control character could end the comment.
     let source: String = source.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    format!(
+    sealed(&format!(
         "# Summits of {source}, written by roughsurface {}\n\
          # Cut-off {:.4e} m, reliability limit {:.4e} m; m0 = {:.4e} m2, m2 = {:.4e}, m4 = {:.4e} 1/m2,\n\
          # bandwidth {:.3}. Mean summit plane {mean:.4e} m above the mean plane of the surface.\n\
@@ -220,7 +221,7 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
         moments.m4,
         summits.alpha,
         sections(density, radius, &distribution),
-    )
+    ))
 }
 
 /// The heights of the summits found, one a line.

@@ -94,7 +94,7 @@ fn is_of_others(output: &Path, extensions: &[&str]) -> bool {
 /// Whether a surface file of `roughsurface characterize` is not as it was written.
 fn is_edited(output: &Path) -> bool {
     let is_surface = beginning(output).starts_with(SURFACE.as_bytes());
-    is_surface && std::fs::read_to_string(output).is_ok_and(|text| !is_unchanged(&text))
+    is_surface && !std::fs::read_to_string(output).is_ok_and(|text| is_unchanged(&text))
 }
 
 /// First words of the attribute `source` of the files of this project.

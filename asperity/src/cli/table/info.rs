@@ -90,8 +90,9 @@ fn text(table: &Table, table_name: &str, verbose: bool) -> String {
     }
     // Cells between the temperatures of a file are neither computed nor stored.
     let cost = slices.iter().map(Slice::cost).sum::<f64>();
-    if cost > 0.0 {
-        line("cost", format!("{} s in all, {} s a cell", plain(cost.round()), plain(cost / done as f64)));
+    if cost > 0.0 || done == 0 {
+        let of_cell = cost / done.max(1) as f64;
+        line("cost", format!("{} s in all, {} s a cell", plain(cost.round()), plain(of_cell)));
         let (version, checksum) = (table.schema_version(), table.checksum());
         line("schema", format!("version {version}, content agrees with its {checksum}"));
     }

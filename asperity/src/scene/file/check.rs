@@ -15,7 +15,7 @@ const WITHOUT_KEYS: [&str; 4] = ["none", "shear-strength", "full-stick", "fricti
 pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result<(), SceneFileError> {
     // Of an unknown law serde says so, not that a key is unknown or belongs to another.
     let known = |law: &str| WITHOUT_KEYS.contains(&law) || keys.iter().any(|key| key.laws.contains(&law));
-    let law = table.get("law").and_then(Value::as_str);
+    let law = table.get("law").and_then(Value::as_str).filter(|_| keys.iter().any(|key| key.name == "law"));
     if law.is_some_and(|law| !known(law)) {
         return Ok(());
     }

@@ -120,6 +120,7 @@ mod tests {
             ("{ law = \"johnson-cook\", reference = 0 }", "a positive number (1/s)"),
             ("{ law = \"johnson-cook\", coeficient = 0.1 }", "did you mean coefficient?"),
             ("{ law = \"johnson\" }", "johnson-cook"),
+            ("{ law = \"johnson\", slope = 1 }", "johnson-cook"),
             ("{ law = \"none\", coefficient = 0.1 }", "left out unless law = \"johnson-cook\""),
         ] {
             let error = refused("copper", rate);

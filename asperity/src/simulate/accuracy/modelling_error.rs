@@ -56,8 +56,8 @@ pub struct ModellingError {
 
 /// Relative change of `G` by a neglected β² of the press, at the largest mean shear traction over the shear strength.
 pub fn energy_of_press(press_coupling: f64, traction: f64) -> f64 {
-    use coupling_of_press::{ENERGY, ENERGY_EXPONENT};
-    if traction > 0.0 { ENERGY * press_coupling * traction.powf(-ENERGY_EXPONENT) } else { 0.0 }
+    use coupling_of_press::{ENERGY, ENERGY_EXPONENT, WEAKEST};
+    ENERGY * press_coupling * traction.clamp(WEAKEST, 1.0).powf(-ENERGY_EXPONENT)
 }
 
 impl ModellingError {

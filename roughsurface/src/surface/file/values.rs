@@ -58,28 +58,15 @@ impl PointRange {
 impl Values {
     /// Numbers of the command line, all in SI units or each with its unit.
     pub fn parse(text: &str, units: &Units) -> Result<Self, String> {
-        let form = || {
-            let units = units.known();
-            format!(
-                "must be numbers such as 1e6, 1e5,1e6 or a range 0.1..10 or 0.1..10:7 (points), each without unit or with one of {units}"
-            )
-        };
-        let numbers = |texts: &[&str]| {
-            let read: Option<Vec<(f64, bool)>> = texts.iter().map(|text| units.number(text)).collect();
-            let read = read.ok_or_else(form)?;
-            match read.iter().all(|(_, has_unit)| *has_unit == read[0].1) {
-                true => Ok(read.into_iter().map(|(number, _)| number).collect::<Vec<f64>>()),
-                false => Err("must have a unit behind each number, or behind none".into()),
-            }
-        };
+        const FORM: &str = "must be numbers such as 1e6, 1e5,1e6 or a range 0.1..10 or 0.1..10:7 (points)";
         let Some((from, to)) = text.split_once("..") else {
-            return numbers(&text.split(',').collect::<Vec<_>>()).map(Self);
+            return units.numbers(&text.split(',').collect::<Vec<_>>(), FORM).map(Self);
         };
         let (to, points) = match to.split_once(':') {
-            Some((to, points)) => (to, Some(points.trim().parse().map_err(|_| form())?)),
+            Some((to, points)) => (to, Some(points.trim().parse().map_err(|_| FORM.to_owned())?)),
             None => (to, None),
         };
-        let ends = numbers(&[from, to])?;
+        let ends = units.numbers(&[from, to], FORM)?;
         PointRange { from: ends[0], to: ends[1], points, spacing: None }.values()
     }
 }
@@ -137,7 +124,7 @@ mod tests {
         assert_eq!(of("1..100:3"), [1.0, 10.0, 100.0]);
         assert_eq!(of("-1..1:3"), [-1.0, 0.0, 1.0]);
         assert_eq!(of("0..1").len(), 11);
-        assert_eq!(of("1kPa, 0.5 MPa"), [1e3, 5e5]);
+        assert_eq!(of("1kPa, 2.3 MPa, 1.1e-2GPa"), [1e3, 2.3e6, 1.1e7]);
         assert_eq!(Values::parse("-0.1um, 5um", &LENGTH).unwrap().0, [-0.1e-6, 5e-6]);
         assert_eq!(Values::parse("9mm/s", &SLIP_RATE).unwrap().0, [9e-3]);
         for (text, units) in [("0.1..10MPa", &PRESSURE), ("0.1..10um", &LENGTH), ("1,5mm/s", &SLIP_RATE)] {

@@ -4,6 +4,7 @@ use crate::interpolation::nodes::OF_PARABOLA;
 use crate::interpolation::steffen::Location;
 use crate::interpolation::{blend_one, neighbours};
 use crate::law::Estimate;
+use crate::numbers::plain;
 use crate::quantity::{COVERAGE_FACTOR, OF_BOUND, Quantity};
 use crate::table::Cell;
 
@@ -133,14 +134,18 @@ impl Column<'_> {
             };
             cell = cell.with_history(quantity, (0..points).map(point).collect());
         }
-        let sides = [self.cells[place.index], self.cells[place.index + 1]];
+        let members = [place.index, place.index + 1];
+        let sides = members.map(|member| self.cells[member]);
         cell.steady = sides.iter().flatten().all(|side| side.steady);
         cell.wall_time = 0.0;
-        for warning in sides.iter().flatten().flat_map(|side| &side.warnings) {
-            if !cell.warnings.contains(warning) {
-                cell.warnings.push(warning.clone());
-            }
-        }
+        // What one side alone says is about its temperature.
+        let [one, other] = members.map(|member| self.cells[member].map_or(&[][..], |side| &side.warnings));
+        let own =
+            |member: usize, warning: &String| format!("at {} K: {warning}", plain(self.temperatures[member]));
+        let both = one.iter().filter(|warning| other.contains(warning)).cloned();
+        let of_one = one.iter().filter(|warning| !other.contains(warning)).map(|it| own(members[0], it));
+        let of_other = other.iter().filter(|warning| !one.contains(warning)).map(|it| own(members[1], it));
+        cell.warnings = both.chain(of_one).chain(of_other).collect();
         cell
     }
 

@@ -38,18 +38,12 @@ impl Table {
             return own.map(Slice::interpolated).ok_or(other);
         }
         let (from, to) = (temperatures[0], temperatures[temperatures.len() - 1]);
-        let own_temperature = own.is_some();
         let mut slice = match own {
             Some(slice) => slice,
             None if (from..=to).contains(&asked) => self.between(&temperatures, asked),
             None => return Err(TemperatureError::Outside { asked, from, to }),
         };
-        // Between two temperatures those of each, which it names.
-        let comment = match own_temperature {
-            true => slice.warnings(),
-            false => self.warnings(),
-        };
-        let comment = comment.join("\n");
+        let comment = slice.warnings().join("\n");
         let metadata = slice.metadata_mut();
         metadata.title += &format!(", at {} K", plain(metadata.temperature));
         metadata.comment = comment;
