@@ -145,8 +145,13 @@ def test_a_map_in_memory_is_as_in_a_file(folder):
     of_program = asperity._results.dataset(lambda path: path.write_bytes((folder / "program.nc").read_bytes()))
     for name in ("mu", "mu_static", "mu_error"):
         np.testing.assert_array_equal(friction.dataset[name].values, of_program[name].values)
-    from_array.save("surface.toml", summits="found")
+    for _ in range(2):
+        from_array.save("surface.toml", summits="found")
     assert (folder / "surface.heights.txt").exists()
+    with (folder / "surface.toml").open("a") as edited:
+        edited.write("# mine\n")
+    with pytest.raises(asperity.AsperityError, match="was changed since"):
+        from_array.save("surface.toml", summits="found")
     assert from_array.plot().svg == from_array._repr_svg_()
 
 
