@@ -361,6 +361,9 @@ fn unknown_names_get_the_nearest_known_one() {
     refused(&["material.preset=steel4340"], &["did you mean steel-4340?"]);
     refused(&["material.melting=1500"], &["did you mean material.softening.melting?"]);
     refused(&["loading.friction=0.3"], &["unknown key loading.friction", "did you mean interface.friction?"]);
+    // A section without laws; and one whose law is unknown, with a key of that.
+    refused(&["loading.law=\"coulomb\"", "loading.steps=3"], &["unknown key loading.law"]);
+    refused(&["material.softening={law=\"linear\", slope=1e-3}"], &["material.softening", "johnson-cook"]);
 }
 
 #[test]
