@@ -21,10 +21,10 @@ use crate::simulate::steady::SteadyState;
 /// repeated more finely.
 const AUXILIARY: f64 = 0.25;
 const MAIN: f64 = 0.7;
-/// Iterations of a finer run, over those expected, beyond which a failed increment ends it, and the run before is the result.
+/// Iterations of a finer run, over those expected, beyond which it ends, and the run before is the result.
 const FURTHER_WORK: f64 = 2.0;
 
-/// Iterations of a finer run beyond which a failed increment ends it: those of the run `before` with increments of another growth.
+/// Iterations of a finer run beyond which it ends: those of the run `before` with increments of another growth.
 /// Finer runs that arrive take up to 1.3 times those.
 fn most_iterations(before: usize, growth_before: f64, growth: f64) -> usize {
     (FURTHER_WORK * growth_before / growth * before as f64) as usize

@@ -44,7 +44,7 @@ impl Conditions<'_> {
         // Each mesh slides as far in units of its own contact radius.
         let radius = press.contact.radius(&press.contact.committed);
         slide.recorder = Recorder::new(recording, radius, &slide.history[0]);
-        slide.most_iterations = progress.map_or(usize::MAX, |progress| progress.most_iterations);
+        slide.mechanics.most_iterations = progress.map_or(usize::MAX, |progress| progress.most_iterations);
         slide.record_fields();
         let programme = self.programme.iter();
         let motions: Vec<Motion> = programme.map(|step| Motion::new(step, radius, &problem.units)).collect();

@@ -63,10 +63,6 @@ pub enum SlideFailure {
          states, as where a light contact sticks and lifts off in turn; {WEAKER_INTERFACE} may have one. The last failure: {last}"
     )]
     Discontinuous { failures: usize, last: Box<SlideFailure> },
-    #[error(
-        "an increment failed after {most} iterations of Newton's method and of its linear systems, twice as many as are expected: {last}"
-    )]
-    TooMuchWork { most: usize, last: Box<SlideFailure> },
     #[error("stopped on request")]
     Cancelled,
 }
@@ -74,7 +70,11 @@ pub enum SlideFailure {
 impl SlideFailure {
     /// Whether a shorter increment may succeed.
     fn allows_cut_back(&self) -> bool {
-        matches!(self, Self::Step(_) | Self::Impossible(_) | Self::Heat(HeatError::NotConverged { .. }))
+        match self {
+            Self::Step(failure) => !matches!(failure, StepFailure::TooMuchWork { .. }),
+            Self::Impossible(_) | Self::Heat(HeatError::NotConverged { .. }) => true,
+            _ => false,
+        }
     }
 }
 
@@ -130,8 +130,6 @@ pub struct Slide<'a> {
     pub history: Vec<SlideState>,
     pub recorder: Recorder,
     pub cutbacks: usize,
-    /// Iterations of Newton's method and of its linear systems beyond which a failed increment ends the slide.
-    pub most_iterations: usize,
     /// Largest increment relative to the slip so far, times [`increments::WHILE_STICKING`] or
     /// [`increments::WHILE_SLIDING`].
     increment_growth: f64,
@@ -169,7 +167,6 @@ impl<'a> Slide<'a> {
             history: Vec::new(),
             recorder: Recorder::default(),
             cutbacks: 0,
-            most_iterations: usize::MAX,
             increment_growth,
             inception_width: increments::INCEPTION_WIDTH,
             shears_without_limit: false,

@@ -138,13 +138,9 @@ impl Slide<'_> {
         if distorted.is_some() && self.shears_without_limit || !motion.control.cut_back() {
             return Err(distorted.unwrap_or(failure));
         }
-        let last = Box::new(failure);
         match motion.failures {
-            failures if failures >= MOST_FAILURES => Err(SlideFailure::Discontinuous { failures, last }),
-            _ if self.mechanics.effort.iterations() > self.most_iterations => {
-                Err(SlideFailure::TooMuchWork { most: self.most_iterations, last })
-            }
-            _ => Ok(()),
+            failures if failures < MOST_FAILURES => Ok(()),
+            failures => Err(SlideFailure::Discontinuous { failures, last: failure.into() }),
         }
     }
 }

@@ -69,12 +69,12 @@ fn a_cut_back_restores_the_history_completely() {
     assert_eq!(forced.cutbacks, MOST_FAILURES - 1);
     assert!(forced.history.last().unwrap().rise_max > 1.0);
 
-    // If further increments fail, the motion ends, with the states before.
+    // If further increments fail, or take more work than they may, the motion ends, with the states before.
     for (most_iterations, taken) in [(usize::MAX, MOST_FAILURES - 1), (0, 0)] {
         let mut endless = ready(&problem);
-        (endless.rejecting, endless.most_iterations) = (1000, most_iterations);
+        (endless.rejecting, endless.mechanics.most_iterations) = (1000, most_iterations);
         let ended = run(&mut endless, &[slip(FAST, distance)]).unwrap_err();
-        let is_work = matches!(ended, SlideFailure::TooMuchWork { most: 0, .. });
+        let is_work = matches!(ended, SlideFailure::Step(StepFailure::TooMuchWork { most: 0 }));
         let is_failures = matches!(ended, SlideFailure::Discontinuous { failures: MOST_FAILURES, .. });
         assert!(if taken == 0 { is_work } else { is_failures }, "{ended:?}");
         assert_eq!(endless.history.len(), 1 + taken);

@@ -214,7 +214,7 @@ pub(super) struct RunProgress {
     pub span: (f64, f64),
     /// Whether the slide goes on until its steady friction is known.
     pub goes_on: bool,
-    /// Iterations of Newton's method and of its linear systems beyond which a failed increment ends the slide.
+    /// Iterations of Newton's method and of its linear systems beyond which the slide ends.
     pub most_iterations: usize,
 }
 

@@ -49,6 +49,10 @@ pub enum StepFailure {
     Newton { iterations: usize, residual: f64 },
     #[error("a number is not finite")]
     NotFinite,
+    #[error(
+        "it took more than {most} iterations of Newton's method and of its linear systems, twice as many as are expected"
+    )]
+    TooMuchWork { most: usize },
     #[error("stopped on request")]
     Stopped,
     #[error("the contact stiffness is not positive definite")]
@@ -113,6 +117,8 @@ pub struct Mechanics {
     pub tolerance: f64,
     internal: Vec<f64>,
     pub effort: Effort,
+    /// Iterations of all steps beyond which they end.
+    pub most_iterations: usize,
     pub timings: Timings,
 }
 
@@ -133,6 +139,7 @@ impl Mechanics {
             displacement,
             tolerance,
             effort: Effort::default(),
+            most_iterations: usize::MAX,
             timings: Timings::default(),
         }
     }
@@ -190,6 +197,9 @@ impl Mechanics {
             }
             if is_stagnant {
                 return Err(StepFailure::Newton { iterations: iteration, residual: last });
+            }
+            if self.effort.iterations() > self.most_iterations {
+                return Err(StepFailure::TooMuchWork { most: self.most_iterations });
             }
             self.effort.newton += 1;
             let least = if now.data.converged { FORCING } else { COUPLED_FORCING };
