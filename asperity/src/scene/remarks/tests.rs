@@ -62,7 +62,6 @@ fn contacts_smaller_than_atoms_or_pressed_by_adhesion_are_named() {
     assert_eq!(remarks_hardened(&["loading.interference=1"]), Vec::<String>::new());
     let of_load = |load: &str| {
         let text = BRASS.replace("interference = 10", load);
-
         parse(&text, &[HARDENS]).unwrap().remarks()
     };
     only(of_load("load = 1.5e-5"), "the load, about 1.5e-5 N, is below the pull-off force");
