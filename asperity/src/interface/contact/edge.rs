@@ -13,8 +13,19 @@ impl Contact {
 
     fn trial_edge(&self, j: usize) -> f64 {
         let Some(last) = self.last_ring(j) else { return self.radii.len() as f64 };
-        let position = self.edge_ratios(j).map_or(0.5, |ratios| FITTED.position(&ratios));
+        // Where a ring has just touched its pressure is that of its penetration, in which its spring had no part: any number.
+        let has_just_touched = self.rings_before[j].is_some_and(|before| before < last);
+        let position = match self.edge_ratios(j) {
+            None => 0.5,
+            Some(_) if has_just_touched => FITTED.first_position,
+            Some(ratios) => FITTED.position(&ratios),
+        };
         last as f64 + (0.5 + position).max(0.0)
+    }
+
+    /// The trial state is an iterate of Newton's method: rings that touch later have just touched.
+    pub fn begin_iteration(&mut self) {
+        self.rings_before = (0..self.columns).map(|j| self.last_ring(j)).collect();
     }
 
     /// The ratios that locate the edge of the trial state at an angle; none where the contact has no inner ring, or none beyond

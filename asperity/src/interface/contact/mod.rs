@@ -61,6 +61,8 @@ pub struct Contact {
     pub trial: Vec<PointState>,
     /// χ: part of each node's area inside the contact edge.
     pub contact_fraction: Vec<f64>,
+    /// Outermost ring that touched at each angle in the last iterate of Newton's method.
+    rings_before: Vec<Option<usize>>,
     /// Points that are in contact since the start of the present motion.
     since_start: Vec<bool>,
     pub stiffness: Vec<NodeStiffness>,
@@ -104,6 +106,7 @@ impl Contact {
             committed: vec![PointState::default(); points],
             trial: vec![PointState::default(); points],
             contact_fraction: vec![1.0; points],
+            rings_before: vec![None; columns],
             since_start: vec![true; points],
             stiffness: vec![[[0.0; 3]; 3]; points],
             shear_slope: 0.0,

@@ -6,7 +6,7 @@ use std::time::Instant;
 use super::edge_search::EdgeSearch;
 use super::friction_heat::HeatSources;
 use super::increments::Predictor;
-use super::shear_limits::{interface_hardening, shear_limits, shear_strength};
+use super::shear_limits::{interface_hardening, shear_limits};
 use super::{Advance, Slide, SlideFailure};
 use crate::discretisation::body::Body;
 use crate::heat::conduction::{Conduction, HeatBalance, HeatError};
@@ -17,9 +17,11 @@ use crate::solver::newton::CouplingData;
 use crate::solver::timings::Kernel;
 
 /// Change between iterations, over the tolerance of the residual, at which the coupled quantities are converged: of the
-/// shear limits, relative to the strength, of the areas of the contact points, relative, and of the flat's height, over the
-/// interference.
+/// areas of the contact points, relative, and of the flat's height, over the interference.
 const CONVERGED: f64 = 100.0;
+/// The same of the limit of friction: the sum of the changes at all points, over the sum of their limits. The largest change
+/// at a point would ask for more the finer the mesh, as the edge moves in its cell.
+const CONVERGED_FRICTION: f64 = 25.0;
 /// Updates in a step at most. Most steps need 3 to 8; where a hot interface loses its strength as sliding begins, each
 /// leaves up to 0.7 of the change of the one before.
 const MOST_UPDATES: usize = 24;
@@ -50,13 +52,15 @@ struct Coupling<'a> {
     dt: f64,
     /// Displacement of the flat in the increment.
     slip: f64,
+    /// Slip of a point that heats it, at most.
+    most_slip: f64,
     /// Heat sources of the previous increment, used for the first iterate.
     sources_before: &'a HeatSources,
     edge: EdgeSearch,
     limit: Option<Vec<f64>>,
-    /// Smallest change of the shear limits so far, and the updates since.
+    /// Smallest change of the coupled quantities so far, and the updates since.
     smallest: (f64, usize),
-    /// Change at which the coupled quantities are converged.
+    /// Tolerance of the residual.
     tolerance: f64,
     /// Updates left of the elevation.
     elevations_left: usize,
@@ -76,24 +80,26 @@ impl Coupling<'_> {
         if self.held {
             return None;
         }
+        let share = self.edge.share();
         if iteration > 0 {
             let edges = self.edge.next(contact.edges(), contact.trial_edges());
             contact.set_edges(&edges);
         }
-        let stretched = if self.problem.finite_strain { contact.update_areas(iteration == 0) } else { 0.0 };
+        let stretch = if self.problem.finite_strain { contact.update_areas(iteration == 0) } else { 0.0 };
+        let stretched = stretch / (CONVERGED * self.tolerance);
         // A failed step may have left a meaningless trial state.
         let state = if iteration == 0 { &body.committed } else { &body.trial };
         let hardened = interface_hardening(self.problem, self.slip_rate, body, contact, state);
         let rise = self.temperature(body, contact, &hardened, iteration);
         let (elevation, raised) = self.elevation(contact, iteration).unzip();
         let limit = shear_limits(self.problem, contact, &hardened, rise.as_deref());
-        let change = self.change(&limit).max(raised.unwrap_or(0.0));
+        let change =
+            (self.friction_change(contact, &limit) / share).max(raised.unwrap_or(0.0)).max(stretched);
         match &mut self.smallest {
             (smallest, since) if change < *smallest => (*smallest, *since) = (change, 0),
             (_, since) => *since += 1,
         }
-        let agrees = change.max(stretched) <= self.tolerance;
-        self.held = agrees || self.updates_left == 0 || self.smallest.1 == STAGNANT_UPDATES;
+        self.held = change <= 1.0 || self.updates_left == 0 || self.smallest.1 == STAGNANT_UPDATES;
         self.updates_left = self.updates_left.saturating_sub(1);
         self.limit = Some(limit.clone());
         let rise = self.conduction.as_ref().zip(rise).map(|(conduction, rise)| conduction.of_body(&rise));
@@ -113,7 +119,7 @@ impl Coupling<'_> {
         // The first iterate takes the heat sources of the previous step.
         self.sources = match iteration {
             0 => self.sources_before.clone(),
-            _ => HeatSources::of(self.problem, body, contact, self.dt),
+            _ => HeatSources::of(self.problem, body, contact, (self.dt, self.most_slip)),
         };
         let result = self.sources.heat(self.problem, conduction, contact, hardened, (self.dt, self.slip));
         self.heat_time += started.elapsed().as_secs_f64();
@@ -130,7 +136,7 @@ impl Coupling<'_> {
         }
     }
 
-    /// Elevation of the flat by the thermal expansion of the counterface, and its largest change over the interference; nothing
+    /// Elevation of the flat by the thermal expansion of the counterface, and its largest change over the tolerance; nothing
     /// where it is held.
     fn elevation(&mut self, contact: &Contact, iteration: usize) -> Option<(Vec<[f64; 2]>, f64)> {
         // The predicted displacement is that on the predicted flat.
@@ -143,8 +149,8 @@ impl Coupling<'_> {
         self.heat_time += started.elapsed().as_secs_f64();
         let changes =
             elevation.iter().zip(&contact.trial).map(|(now, state)| (now[0] - state.elevation[0]).abs());
-        let change = changes.fold(0.0, f64::max) / self.problem.interference;
-        self.elevations_left = if change > self.tolerance { self.elevations_left - 1 } else { 0 };
+        let change = changes.fold(0.0, f64::max) / (CONVERGED * self.tolerance * self.problem.interference);
+        self.elevations_left = if change > 1.0 { self.elevations_left - 1 } else { 0 };
         Some((elevation, change))
     }
 
@@ -153,19 +159,21 @@ impl Coupling<'_> {
         if self.conduction.is_none() {
             return;
         }
-        let solution = HeatSources::of(self.problem, body, contact, self.dt);
+        let solution = HeatSources::of(self.problem, body, contact, (self.dt, self.most_slip));
         if self.sources.area_swept(contact) > EXCESS_HEAT * solution.area_swept(contact) {
             let hardened = interface_hardening(self.problem, self.slip_rate, body, contact, &body.trial);
             self.temperature(body, contact, &hardened, 1);
         }
     }
 
-    /// Largest change of the shear limits since the iteration before, relative to the strength.
-    fn change(&self, limit: &[f64]) -> f64 {
-        let strength = shear_strength(self.problem, 1.0, 0.0);
-        let change = |(a, b): (&f64, &f64)| if a == b { 0.0 } else { (a - b).abs() / strength.max(a.abs()) };
+    /// Change of the limit of friction since the iteration before, over its tolerance.
+    fn friction_change(&self, contact: &Contact, limit: &[f64]) -> f64 {
         let Some(last) = &self.limit else { return f64::INFINITY };
-        last.iter().zip(limit).map(change).fold(0.0, f64::max)
+        // In full stick the limits are infinite, and equal.
+        let changed = || last.iter().zip(limit).zip(&contact.areas).filter(|((a, b), _)| a != b);
+        let change: f64 = changed().map(|((a, b), area)| area * (a - b).abs()).sum();
+        let friction: f64 = limit.iter().zip(&contact.areas).map(|(limit, area)| area * limit).sum();
+        if change == 0.0 { 0.0 } else { change / (CONVERGED_FRICTION * self.tolerance * friction) }
     }
 }
 
@@ -191,11 +199,14 @@ impl Slide<'_> {
             conduction: self.heat.as_mut(),
             dt,
             slip: to - from,
+            // Tractions of the press above the limit are released in the first increment, whatever its length. The press
+            // would have released them over its own time.
+            most_slip: if self.history.len() == 1 { (to - from).abs() } else { f64::INFINITY },
             sources_before: &self.sources,
             edge: EdgeSearch::default(),
             limit: None,
             smallest: (f64::INFINITY, 0),
-            tolerance: CONVERGED * self.mechanics.tolerance,
+            tolerance: self.mechanics.tolerance,
             elevations_left: ELEVATIONS,
             updates_left: MOST_UPDATES,
             held: false,

@@ -65,13 +65,14 @@ pub struct HeatSources {
 }
 
 impl HeatSources {
-    /// Heat sources of the trial state of the mechanics.
-    pub fn of(problem: &Problem, body: &Body, contact: &Contact, dt: f64) -> Self {
+    /// Heat sources of the trial state of the mechanics over a step of length `dt`. What a point slips beyond `most_slip`
+    /// does not heat it.
+    pub fn of(problem: &Problem, body: &Body, contact: &Contact, (dt, most_slip): (f64, f64)) -> Self {
         let mut plastic = vec![0.0; body.mesh.field_length(1)];
         if problem.taylor_quinney > 0.0 {
             body.add_plastic_work(problem.taylor_quinney / dt, &mut plastic);
         }
-        let speed = |i| if is_released(contact, i) { 0.0 } else { contact.point_slip(i) / dt };
+        let speed = |i| if is_released(contact, i) { 0.0 } else { contact.point_slip(i).min(most_slip) / dt };
         Self { speed: (0..contact.len()).map(speed).collect(), plastic }
     }
 

@@ -18,6 +18,7 @@ mod shear_limits;
 mod state;
 
 use crate::heat::conduction::{Conduction, HeatError};
+use crate::interface::contact::FlatPosition;
 use crate::loading::problem::Problem;
 use crate::loading::recording::Recorder;
 use crate::loading::state::SlideState;
@@ -224,6 +225,13 @@ impl<'a> Slide<'a> {
             edges: self.mechanics.contact.edges(),
             elevation: self.mechanics.contact.elevation(),
         }
+    }
+
+    /// Predictor at the displacement `to` of the flat of a contact that sticks.
+    fn sticking(&mut self, to: f64) -> Result<Predictor, StepFailure> {
+        let from = FlatPosition { interference: self.interference, displacement: self.last().slip };
+        let displacement = self.mechanics.sticking(from, FlatPosition { displacement: to, ..from })?;
+        Ok(Predictor { displacement, ..self.predictor() })
     }
 
     /// One increment of the step `step` of the programme, from a first guess.

@@ -90,15 +90,18 @@ impl Slide<'_> {
         let next = motion.control.next(done, stop_at);
         let committed = self.predictor();
         let contact_fraction = self.mechanics.contact.contact_fraction.clone();
+        let to = motion.start + present.direction() * next;
         let guess = match motion.control.bracket() {
             // What changes in a hold decays: extrapolated over ever longer increments, what the solver's tolerance leaves
             // would grow.
             None if !slides => committed.clone(),
+            // Without a state before there is nothing to extrapolate.
+            None if done == 0.0 => self.sticking(to).unwrap_or_else(|_| committed.clone()),
             None => Predictor::between((&motion.before.0, motion.before.1), (&committed, done), next),
             Some(end) => Predictor::between((&committed, done), (&end.predictor, end.slip), next),
         };
         let advance = Advance {
-            to: motion.start + present.direction() * next,
+            to,
             dt: present.time(next - done),
             seconds: present.seconds(next - done, &self.problem.units),
             slip_rate: self.slip_rate_after(next),

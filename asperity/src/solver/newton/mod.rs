@@ -230,6 +230,7 @@ impl Mechanics {
         if now.chattering.damp(&self.contact, &mut now.data.limit) {
             self.contact.evaluate(|p| now.u[p], flat, &now.data.limit);
         }
+        self.contact.begin_iteration();
         residual[..size].copy_from_slice(&self.internal);
         self.contact.subtract_force(&mut residual[..size]);
         if let LoadingControl::Load(load) = control {
@@ -291,6 +292,22 @@ impl Mechanics {
         }
         self.precondition(&force, &mut direction);
         u.iter_mut().zip(&direction).for_each(|(u, d)| *u -= d);
+    }
+
+    /// Displacement at the end of a movement of the flat of an elastic body that sticks to it, from the present state.
+    pub fn sticking(&mut self, from: FlatPosition, to: FlatPosition) -> Result<Vec<f64>, StepFailure> {
+        let [mut residual, mut direction] = [0, 1].map(|_| vec![0.0; self.internal.len()]);
+        let unlimited = vec![f64::INFINITY; self.contact.len()];
+        let mut u = self.displacement.clone();
+        for flat in [from, to] {
+            residual.iter_mut().for_each(|force| *force = -*force);
+            self.contact.evaluate(|p| u[p], flat, &unlimited);
+            self.contact.subtract_force(&mut residual);
+        }
+        self.update_preconditioner(LoadingControl::Interference)?;
+        self.precondition(&residual, &mut direction);
+        u.iter_mut().zip(&direction).for_each(|(u, d)| *u -= d);
+        Ok(u)
     }
 
     /// Internal force of the body at displacement `u`, stored for the residual.

@@ -87,14 +87,30 @@ impl Titles {
     pub fn of_matrix(&self) -> Unit {
         let bracketed = self.lines.iter().flat_map(|line| line.split_inclusive([']', ')']));
         let titled = bracketed.map(|cell| Column::of(cell, true).unit);
-        let mut units =
-            self.of_all.iter().map(|unit| Unit::of(unit)).chain(titled).filter(|u| *u != Unit::Unstated);
+        let of_all = self.of_all.iter().map(|unit| Unit::of(unit));
+        let mut units = of_all.chain(titled).chain(self.of_heights()).filter(|u| *u != Unit::Unstated);
         let Some(first) = units.next() else { return Unit::Unstated };
         match units.find(|unit| *unit != first) {
             None => first,
             Some(_) => Unit::Unknown("different units of heights".into()),
         }
     }
+
+    /// Known units of comments such as `# Height [nm]`; in others they may be those of points.
+    fn of_heights(&self) -> impl Iterator<Item = Unit> {
+        const HEIGHTS: [&str; 7] = ["height", "heights", "z", "topography", "höhe", "höhen", "hauteur"];
+        let of_heights = |line: &&String| HEIGHTS.contains(&before_bracket(line).to_lowercase().as_str());
+        self.comments
+            .iter()
+            .filter(of_heights)
+            .map(|line| Column::of(line, false).unit)
+            .filter(Unit::is_known)
+    }
+}
+
+/// Words before the first bracket.
+fn before_bracket(line: &str) -> &str {
+    line.split(['[', '(']).next().unwrap_or_default().trim()
 }
 
 impl Column {
