@@ -14,7 +14,7 @@ use super::{ConvergenceArguments, Display, Failure, command_line, outputs, progr
 pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Result<(), Failure> {
     let scene = read_scene(&arguments.scene, &arguments.set).map_err(Failure::input)?;
     let written = outputs::with_plots(&arguments.output, &arguments.plot);
-    outputs::check(&[("the scene", &arguments.scene)], &written)?;
+    outputs::check_of_kind(convergence::TITLE, &[("the scene", &arguments.scene)], &written)?;
     let finest = usize::from(arguments.finest);
     if !finest.is_multiple_of(DIVISOR) {
         return Err(Failure::input(format!("--finest: {finest} is not a multiple of {DIVISOR}")));

@@ -6,7 +6,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tables::figures::{Figure, TABLE_PANELS};
 use tables::netcdf::program::{Failure, save};
-use tables::netcdf::{check_irreplaceable, check_of_others, check_results, probe};
+use tables::netcdf::{check_irreplaceable, check_kind, check_of_others, check_results, probe};
 use tables::table::Table;
 
 // Options of the figure of a table; a documentation comment would replace the description of the command.
@@ -25,6 +25,17 @@ pub(super) struct TablePlot {
 pub fn check(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), Failure> {
     check_with_table(inputs, outputs)?;
     check_irreplaceable(outputs).map_err(Failure::input)
+}
+
+/// [`check`] of a command whose results have a title that begins with `title`; those of another command stay.
+pub fn check_of_kind(
+    title: &str,
+    inputs: &[(&str, &Path)],
+    outputs: &[(&str, &Path)],
+) -> Result<(), Failure> {
+    check(inputs, outputs)?;
+    let mut results = outputs.iter().filter(|(role, _)| *role == OUTPUT);
+    results.try_for_each(|(_, output)| check_kind(output, title)).map_err(Failure::input)
 }
 
 /// Whether every output of a command that makes a table can be written, as by [`check`]; it may replace a table.

@@ -87,12 +87,13 @@ fn holds_complete_run(output: &Path) -> bool {
 fn check_outputs(arguments: &RunArguments) -> Result<(), Failure> {
     let inputs = [("the scene", arguments.scene.as_path())];
     let written = outputs::with_plots(&arguments.output, &arguments.plot);
-    let Some(directory) = &arguments.vtu else { return outputs::check(&inputs, &written) };
+    let check = || outputs::check_of_kind(run_file::TITLE, &inputs, &written);
+    let Some(directory) = &arguments.vtu else { return check() };
     let files = files_of_vtu(directory, inputs.iter().chain(&written).map(|(_, path)| *path));
     let mut all = [&written[..], &[("--vtu", directory.as_path())]].concat();
     all.extend(files.iter().map(|file| ("a file of --vtu", file.as_path())));
     check_distinct(&inputs, &all).map_err(Failure::input)?;
-    outputs::check(&inputs, &written)?;
+    check()?;
     outputs::check_directory(directory)
 }
 

@@ -57,7 +57,12 @@ fn tabulate_request(
     };
     let result = watched(display, |progress| tabulate::tabulate(request, &options, progress));
     let (tabulation, journal) = result.map_err(|error| match error {
-        TabulateError::Journal(ref journal) if journal.is_of_the_system() => Failure::run(error),
+        TabulateError::Journal(ref fault) if fault.is_of_the_system() => match journal.exists() {
+            true => {
+                Failure::Run(format!("{error}; to continue with the finished cells: {}", resuming(arguments)))
+            }
+            false => Failure::run(error),
+        },
         error => Failure::input(error),
     })?;
     if !tabulation.finished() {

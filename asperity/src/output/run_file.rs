@@ -44,6 +44,9 @@ const FIELDS: [Field; 4] = [
     ),
 ];
 
+/// Beginning of the title of the file.
+pub const TITLE: &str = "Sliding of one asperity";
+
 /// Write the file; it appears whole or not at all.
 pub fn write(path: &Path, scene: &Scene, outcome: &Outcome, about: &About<'_>) -> Result<(), DatasetError> {
     let loading = &scene.loading;
@@ -51,7 +54,7 @@ pub fn write(path: &Path, scene: &Scene, outcome: &Outcome, about: &About<'_>) -
         true => format!("and {} m/s", loading.slip_rate),
         false => format!("through {} steps of slip rate", loading.steps.len()),
     };
-    let title = format!("Sliding of one asperity at {} omega_c {rates}", plain(outcome.interference));
+    let title = format!("{TITLE} at {} omega_c {rates}", plain(outcome.interference));
     let completion = match about.incomplete {
         None => COMPLETE.to_owned(),
         Some(reason) => format!("incomplete: {reason}"),

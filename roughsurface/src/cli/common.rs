@@ -60,6 +60,11 @@ pub fn check_results(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Fa
         .map_err(Failure::input)
 }
 
+/// Refuses an output that holds results of another command than that whose results have this title.
+pub fn check_kind(output: &Path, title: &str) -> Result<(), Failure> {
+    netcdf::check_kind(output, title).map_err(Failure::input)
+}
+
 fn given<'a>(outputs: &Roles<'a>) -> Vec<(&'a str, &'a Path)> {
     outputs.iter().filter_map(|(role, path)| path.map(|path| (*role, path))).collect()
 }

@@ -127,6 +127,7 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
         query_key("rate_step", BTreeMap::from([("before", before), ("after", after)]))
     });
     let case = options.input.read(&outputs, rate_step.into_iter().collect())?;
+    check_kind(&options.output, friction_file::TITLE)?;
     Figure::check_panels(&options.panel, &panels(&case, &models)).map_err(Failure::input)?;
     // At once: the prediction may be refused for what they are about.
     let of_input = case.warnings();

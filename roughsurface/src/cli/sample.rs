@@ -9,8 +9,9 @@ use roughsurface::friction::Settings;
 use roughsurface::friction::warning::Warning;
 use roughsurface::output::{Origin, sample_file};
 use roughsurface::sampling::finite_surface::Sampling;
+use roughsurface::surface::units;
 use std::path::PathBuf;
-use tables::netcdf::{self, input::number};
+use tables::netcdf;
 
 pub const HELP: &str = "\
 Example:
@@ -35,7 +36,7 @@ pub struct Sample {
     #[arg(long, value_name = "S", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
     /// Slip after which friction is read, m; by default friction is the mean over the life of the contacts
-    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, value_parser = slip_length)]
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, value_parser = units::length_or_zero)]
     slip: Option<f64>,
     /// Result (netCDF)
     #[arg(short, long, value_name = "mc.nc", value_parser = PathBufValueParser::new().try_map(netcdf_name))]
@@ -44,14 +45,10 @@ pub struct Sample {
     run: RunOptions,
 }
 
-fn slip_length(text: &str) -> Result<f64, String> {
-    let rule = "must be a length in metres, not negative";
-    number(text, |slip| *slip >= 0.0 && f64::is_finite(*slip), rule)
-}
-
 /// Draws, slides, writes.
 pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
     let case = options.input.read(&[("--output", Some(&options.output))], Vec::new())?;
+    check_kind(&options.output, sample_file::TITLE)?;
     let of_input = case.warnings();
     display.printer().warn(Warning::condensed(&of_input));
     display.printer().warn(case.unused_by_samples());

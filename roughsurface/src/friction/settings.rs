@@ -40,7 +40,7 @@ pub enum PredictionError {
     )]
     ContactsTooLarge { loading: String, slip_rate: f64, limit: f64, share: f64 },
     #[error(
-        "{at}: the contacts would cover {:.0} % of the nominal area; the model of separate asperities ends far below: lower the pressure, or check density, radius and heights of the summits",
+        "{at}: the contacts would cover {:.0} % of the nominal area; the model of separate asperities ends far below: take a lower pressure or a larger separation, or check density, radius and heights of the summits",
         100.0 * .share
     )]
     AreaAboveNominal { at: Place, share: f64 },

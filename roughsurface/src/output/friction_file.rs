@@ -26,10 +26,13 @@ pub(super) const INITIAL_TEMPERATURE: &str = "initial_temperature";
 /// Results that a comparison with a model of the literature has.
 pub(super) const COMPARED: [&str; 4] = ["mu", "mu_static", "real_area_fraction", "outside_table_fraction"];
 
+/// Title of `friction.nc`.
+pub const TITLE: &str = "Friction of a rough surface";
+
 /// Writes `friction.nc`: under a temporary name first, so the file appears whole or not at all.
 pub fn write(path: &Path, results: &Results, origin: &Origin) -> Result<(), DatasetError> {
     let prediction = &results.prediction;
-    let mut file = DatasetWriter::create(path, "Friction of a rough surface")?;
+    let mut file = DatasetWriter::create(path, TITLE)?;
     origin.write(&mut file, &prediction.law, &prediction.query, &prediction.warnings)?;
     file.attribute("comment", COMMENT)?;
     file.attribute("plasticity_index", prediction.plasticity_index)?;

@@ -23,9 +23,12 @@ const STATISTICS: [Statistic; 5] = [
     ("upper", "upper end of the 95 % prediction interval of the", |s| s.upper),
 ];
 
+/// Title of `mc.nc`.
+pub const TITLE: &str = "Friction of finite rough surfaces";
+
 /// Writes `mc.nc`; the file appears whole or not at all.
 pub fn write(path: &Path, samples: &Samples, origin: &Origin) -> Result<(), DatasetError> {
-    let mut file = DatasetWriter::create(path, "Friction of finite rough surfaces")?;
+    let mut file = DatasetWriter::create(path, TITLE)?;
     origin.write(&mut file, &samples.law, &samples.query, &samples.warnings)?;
     let sampling = &samples.sampling;
     file.attribute("asperities", sampling.asperities as f64)?;

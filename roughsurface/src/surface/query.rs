@@ -185,8 +185,11 @@ impl Query {
         {
             return Err(LookupError::NoSlipRateInCommon { smallest, largest });
         }
-        let mut rates = self.slip_rates.iter().chain(self.rate_step.iter().flatten());
-        match rates.find(|rate| !covers(range, **rate)) {
+        let rates = self.slip_rates.iter().chain(self.rate_step.iter().flatten());
+        // A table for the farthest covers the others on its side.
+        let distance = |rate: &f64| (rate / to).max(from / rate);
+        let outside = rates.filter(|rate| !covers(range, **rate));
+        match outside.max_by(|a, b| distance(a).total_cmp(&distance(b))) {
             Some(&slip_rate) => Err(LookupError::SlipRateOutside { slip_rate, from, to }),
             None => Ok(()),
         }

@@ -19,7 +19,7 @@ pub static LENGTH: Units = Units(&[
 pub static PRESSURE: Units = Units(&[
     (&["Pa"], 1.0),
     (&["kPa"], 1e3),
-    (&["MPa"], 1e6),
+    (&["MPa", "N/mm2", "N/mm²"], 1e6),
     (&["GPa"], 1e9),
     (&["bar"], 1e5),
     (&["psi"], 6894.757),
@@ -29,6 +29,7 @@ pub static SLIP_RATE: Units = Units(&[
     (&["mm/s"], 1e-3),
     (&["um/s", "µm/s", "μm/s"], 1e-6),
     (&["nm/s"], 1e-9),
+    (&["m/min"], 1.0 / 60.0),
     (&["km/h"], 1.0 / 3.6),
 ]);
 
@@ -51,8 +52,11 @@ impl Units {
         if let Ok(number) = text.parse::<f64>() {
             return Some((number, false));
         }
-        let (number, symbol) = text.split_at(text.rfind(|c: char| c.is_ascii_digit() || c == '.')? + 1);
-        let factor = self.factor(symbol)?;
+        let symbols =
+            self.0.iter().flat_map(|(symbols, factor)| symbols.iter().map(move |symbol| (*symbol, *factor)));
+        let mut split =
+            symbols.filter_map(|(symbol, factor)| Some((text.strip_suffix(symbol)?.trim_end(), factor)));
+        let (number, factor) = split.find(|(number, _)| number.parse::<f64>().is_ok())?;
         let power = factor.log10().round();
         if format!("1e{power}").parse() != Ok(factor) {
             return Some((number.parse::<f64>().ok()? * factor, true));
@@ -75,6 +79,14 @@ impl Units {
     }
 }
 
+/// A length such as `2e-6`, in metres, or `2um`, not negative; in metres.
+pub fn length_or_zero(text: &str) -> Result<f64, String> {
+    match LENGTH.number(text) {
+        Some((metres, _)) if metres >= 0.0 && metres.is_finite() => Ok(metres),
+        _ => Err("must be a length in metres, or with a unit, not negative: 2e-6, 2um, 0".into()),
+    }
+}
+
 /// A positive length such as `2e-6`, in metres, or `2um`; in metres.
 pub fn length(text: &str) -> Result<f64, String> {
     match LENGTH.number(text) {
@@ -86,6 +98,12 @@ pub fn length(text: &str) -> Result<f64, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn units_may_end_with_a_digit() {
+        assert_eq!(PRESSURE.numbers(&["2N/mm2", "0.5 N/mm²", "10 MPa"], ""), Ok(vec![2e6, 0.5e6, 1e7]));
+        assert_eq!(SLIP_RATE.number("3 m/min"), Some((0.05, true)));
+    }
 
     #[test]
     fn lengths_with_and_without_unit() {

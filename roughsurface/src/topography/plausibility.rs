@@ -18,6 +18,9 @@ const SPIKE: f64 = 8.0;
 /// Range of all other heights over that with a mark of missing ones.
 const MARKED: f64 = 0.05;
 
+/// The same where several heights have exactly the value of the mark.
+const MARKED_OFTEN: f64 = 0.3;
+
 /// Share of the mean square without plane that a paraboloid takes off: at most 0.69 in 192 self-affine maps
 /// of Hurst exponents from 0.3 to 1 and roll-offs up to twice their size.
 const FORM: f64 = 0.7;
@@ -88,7 +91,8 @@ pub(super) fn none_is_marked(topography: &Topography) -> Result<(), String> {
     for extreme in [low, high] {
         let count = heights.iter().filter(|height| **height == extreme).count();
         let (next_low, next_high) = range(&mut heights.iter().copied().filter(|height| *height != extreme));
-        let distant = next_high - next_low < MARKED * (high - low);
+        let marked = if count < 3 { MARKED } else { MARKED_OFTEN };
+        let distant = next_high - next_low < marked * (high - low);
         // Two levels alone may be a grating.
         if distant && next_high > next_low && 2 * count < heights.len() {
             return Err(format!(
@@ -245,9 +249,13 @@ mod tests {
         // Pits twice as deep as the surface is rough.
         let [low, high] = [f64::min, f64::max].map(|of| map.heights.iter().copied().reduce(of).unwrap());
         assert_eq!(with(3.0 * low - 2.0 * high, &[500, 501]), Ok(()));
-        for (mark, places) in [(-9999.0, &[500, 501, 502][..]), (32767.0, &[7])] {
+        let above = high + 3.0 * (high - low);
+        for (mark, places) in [(-9999.0, &[500, 501, 502][..]), (32767.0, &[7]), (above, &[7, 8, 9])] {
             let refused = with(mark, places).unwrap_err();
-            assert!(refused.contains(&format!("{} heights are {mark} m", places.len())), "{refused}");
+            assert!(
+                refused.contains(&format!("{} heights are {} m", places.len(), digits(mark, 6))),
+                "{refused}"
+            );
         }
         let grating = (0..400).map(|place| f64::from(place / 10 % 2)).collect();
         assert_eq!(none_is_marked(&Topography::map((20, 1.0), (20, 1.0), grating)), Ok(()));

@@ -230,7 +230,7 @@ pub fn heights_file(found: &Characterization) -> String {
     for height in &found.found.heights {
         let _ = writeln!(text, "{height:.6e}");
     }
-    text
+    sealed(&text)
 }
 
 /// Names of the panels of [`figure`].

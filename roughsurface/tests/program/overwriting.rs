@@ -129,16 +129,36 @@ fn an_export_for_which_there_is_no_room_leaves_nothing() {
 #[test]
 fn an_edited_surface_file_is_not_replaced() {
     let folder = folder();
-    let line = "characterize map.nc --cutoff 1.6um -o map.toml";
+    let line = "characterize map.nc --cutoff 1.6um --summits found -o map.toml";
     folder.run_well(line);
     folder.run_well(line);
-    let file = folder.path("map.toml");
-    let text = std::fs::read_to_string(&file).unwrap();
-    for edited in [format!("{text}[query]\npressure = 1e6\n"), text.replacen("Cut-off", "Cutoff", 1)] {
-        std::fs::write(&file, &edited).unwrap();
-        folder.refused(line, "was changed since `roughsurface characterize` wrote it");
-        assert_eq!(std::fs::read_to_string(&file).unwrap(), edited);
+    for name in ["map.toml", "map.heights.txt"] {
+        let file = folder.path(name);
+        let text = std::fs::read_to_string(&file).unwrap();
+        for edited in [format!("{text}# note\n"), text.replacen('1', "2", 1)] {
+            std::fs::write(&file, &edited).unwrap();
+            folder.refused(line, "was changed since `roughsurface characterize` wrote it");
+            assert_eq!(std::fs::read_to_string(&file).unwrap(), edited);
+        }
+        std::fs::write(&file, &text).unwrap();
     }
+    folder.run_well("predict map.toml --table table.nc -o f.nc --quiet");
+}
+
+/// A name that is given again by mistake.
+#[test]
+fn results_of_other_commands_stay() {
+    let folder = folder();
+    let predict = |name: &str| format!("predict plain.toml --table table.nc -o {name} --quiet");
+    let sample = |name: &str| {
+        format!("sample plain.toml --table table.nc --asperities 9 --realizations 2 -o {name} --quiet")
+    };
+    for name in ["f.nc", "f.nc"] {
+        folder.run_well(&predict(name));
+    }
+    folder.run_well(&sample("mc.nc"));
+    folder.refused(&predict("mc.nc"), "the result of another command, \"Friction of finite rough surfaces\"");
+    folder.refused(&sample("f.nc"), "the result of another command, \"Friction of a rough surface\"");
 }
 
 /// The file of heights beside the surface file would replace the map.

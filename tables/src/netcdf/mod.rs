@@ -41,7 +41,8 @@ pub use atomic::{destination, in_words, write_atomically};
 pub use checksum::sealed;
 pub use distinct::check_distinct;
 pub use outputs::{
-    JOURNAL, JOURNAL_ROLE, check_irreplaceable, check_of_others, check_outputs, check_results, probe,
+    JOURNAL, JOURNAL_ROLE, check_irreplaceable, check_kind, check_of_others, check_outputs, check_results,
+    probe,
 };
 pub use processor::{REMEDY, UNSUITABLE, check_processor, missing_instruction_set};
 pub use reader::{DatasetReader, check_regular};

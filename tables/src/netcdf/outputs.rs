@@ -63,6 +63,21 @@ pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError>
     check_of_others(outputs)
 }
 
+/// Whether an output is not the result of another command of this project. Results of this one have a title that begins with
+/// `title`.
+pub fn check_kind(output: &Path, title: &str) -> Result<(), OutputError> {
+    match DatasetReader::open(output) {
+        Ok(file) if !text(&file, "title").starts_with(title) => refused(
+            output,
+            &format!(
+                "holds the result of another command, \"{}\"; choose another name, or delete it",
+                text(&file, "title")
+            ),
+        ),
+        _ => Ok(()),
+    }
+}
+
 /// Whether no output is data of another program, which cannot be computed again: a netCDF file, one that begins as those of
 /// `BINARY_DATA`, or a text with the extension of measured heights that does not begin as those of this project.
 pub fn check_of_others(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
@@ -91,10 +106,11 @@ fn is_of_others(output: &Path, extensions: &[&str]) -> bool {
         && !TEXTS.iter().any(|text| start.starts_with(text.as_bytes()))
 }
 
-/// Whether a surface file of `roughsurface characterize` is not as it was written.
+/// Whether a surface file of `roughsurface characterize`, or its file of heights, is not as it was written.
 fn is_edited(output: &Path) -> bool {
-    let is_surface = beginning(output).starts_with(SURFACE.as_bytes());
-    is_surface && !std::fs::read_to_string(output).is_ok_and(|text| is_unchanged(&text))
+    let start = beginning(output);
+    let is_sealed = [SURFACE, HEIGHTS].iter().any(|text| start.starts_with(text.as_bytes()));
+    is_sealed && !std::fs::read_to_string(output).is_ok_and(|text| is_unchanged(&text))
 }
 
 /// First words of the attribute `source` of the files of this project.
@@ -114,9 +130,10 @@ const TEXTS: [&str; 6] = [
     "temperature [K],interference [1],",
     "temperature_K,",
     "% Friction coefficient",
-    "# Heights of summits",
+    HEIGHTS,
     SURFACE,
 ];
+const HEIGHTS: &str = "# Heights of summits ";
 const SURFACE: &str = "# Summits of ";
 
 /// A text attribute; empty if there is none.

@@ -102,7 +102,8 @@ fn number(value: &Value) -> Option<f64> {
     value.as_float().or_else(|| value.as_integer().map(|number| number as f64))
 }
 
-fn remark(path: &str, value: f64) -> Option<String> {
+/// The sentence for one key, if its value is implausible.
+pub fn remark(path: &str, value: f64) -> Option<String> {
     // The values of a property over temperature and the ends of a range have the meaning of their section.
     let meaning =
         [".value", ".from", ".to"].into_iter().find_map(|end| path.strip_suffix(end)).unwrap_or(path);

@@ -1,5 +1,6 @@
 //! Checks that concern more than one key.
 
+use tables::quantity::plausible;
 use toml::{Table, Value};
 
 use super::error::SceneFileError;
@@ -46,7 +47,10 @@ pub fn check_material(scene: &Scene, source: &Source) -> Result<(), SceneFileErr
     }
     check_temperature(scene, "loading.temperature", scene.loading.temperature, source)?;
     if material.yield_strength >= material.youngs_modulus {
-        let allowed = format!("below youngs_modulus = {:?} (both in Pa)", material.youngs_modulus);
+        let mut allowed = format!("below youngs_modulus = {:?} (both in Pa)", material.youngs_modulus);
+        if let Some(remark) = plausible::remark("material.youngs_modulus", material.youngs_modulus) {
+            allowed = format!("{allowed}; {remark}");
+        }
         let found = format!("{:?}", material.yield_strength);
         return Err(source.invalid("material.yield_strength", found, allowed));
     }

@@ -15,7 +15,7 @@ use super::error::SceneFileError;
 use super::keys::{POSITIVE, POSITIVE_FOR_LOG, Range, SLIP_RATE, TABLE, range_keys};
 use super::relations;
 use super::source::{Source, join};
-use crate::scene::{Rate, Scene};
+use crate::scene::{Control, Rate, Scene};
 
 /// A grid of scenes that differ in interference and slip rate, at one or at several initial temperatures.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +46,16 @@ impl Request {
         let of_template = self.template.remarks_with(&document(self));
         let lowest = self.temperatures.first().map(|lowest| self.template.at_temperature(*lowest));
         let of_lowest = lowest.and_then(|scene| scene.below_reference("table.temperature"));
-        of_template.into_iter().chain(of_lowest).chain(self.between_temperatures()).collect()
+        let of_load = self.of_held_load();
+        of_template.into_iter().chain(of_lowest).chain(self.between_temperatures()).chain(of_load).collect()
+    }
+
+    fn of_held_load(&self) -> Option<String> {
+        (self.template.loading.control == Control::Load).then(|| {
+            "loading.control = \"load\": `roughsurface` refuses such a table, as the summits of a surface slide at constant \
+             interference; for a surface write \"interference\""
+                .into()
+        })
     }
 
     /// Remarks on values that are probably in another unit.

@@ -17,7 +17,7 @@ const SYNONYMS: &[(&[&str], &str)] = &[
     (&["uts", "ultimate_strength"], "tensile_strength"),
     (&["fracture_toughness", "toughness", "k_iic"], "fracture_toughness_mode_ii"),
     (&["fracture_energy", "g_iic"], "shear_fracture_energy"),
-    (&["diameter", "r", "curvature_radius"], "radius"),
+    (&["r", "curvature_radius"], "radius"),
     (&["mu", "friction_coefficient", "coefficient_of_friction"], "friction"),
     (&["shear_strength", "interface_strength", "adhesion_factor"], "strength_factor"),
     (&["indentation", "depth", "overlap", "approach", "penetration"], "interference"),

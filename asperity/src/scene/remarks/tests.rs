@@ -148,6 +148,9 @@ fn constants_of_a_preset_at_another_temperature_are_noticed() {
         "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n[table]\ntemperature = [200, 298]\n";
     let cold = crate::scene::file::parse_request(request, "this test", &[]).unwrap().remarks();
     assert!(cold.iter().any(|said| said.starts_with("table.temperature = 200 K is far below")), "{cold:?}");
+    let held = request.replace("[table]", "[loading]\ncontrol = \"load\"\n[table]");
+    let held = crate::scene::file::parse_request(&held, "this test", &[]).unwrap().remarks();
+    assert!(held.iter().any(|said| said.contains("`roughsurface` refuses such a table")), "{held:?}");
     // What the remark says, done, is enough.
     let mut copper = of_preset("copper", &["loading.temperature=700"]).material;
     let factor = copper.softening.factor(700.0);

@@ -23,7 +23,7 @@ pub enum Warning {
     ErrorAboveAccuracy { quantity: Quantity, error: f64, lasting: f64, times: f64, accuracy: f64 },
     /// The error of a quantity is as large as the quantity.
     #[error(
-        "{} is undetermined: its estimated error is larger than its value; where the body softens or shears below the interface no mesh converges, and a smaller strength_factor or slip_distance avoids it; G of a weak interface beside an elastic counterface lacks the coupling of the press",
+        "{} is undetermined: its estimated error is larger than its value; where the body softens or shears below the interface no mesh converges, and a smaller strength_factor or slip_distance avoids it; beside an elastic counterface the error of G of a weak interface is that of the coupling of the press, which the model lacks, and counterface.elastic = false leaves both out",
         .quantity.descriptor().name
     )]
     ErrorAboveValue { quantity: Quantity },

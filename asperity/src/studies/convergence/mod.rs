@@ -11,7 +11,7 @@ use tables::law::Estimate;
 use tables::quantity::{Quantity, Scalars};
 
 pub use figure::{PANELS, figure};
-pub use report_file::write;
+pub use report_file::{TITLE, write};
 pub use words::{in_words, table};
 
 use crate::scene::{Kinematics, Scene};

@@ -12,6 +12,9 @@ use crate::scene::file::write_scene;
 /// Name, unit, long name, value.
 type Column = (&'static str, &'static str, &'static str, fn(&Run) -> f64);
 
+/// Title of the file.
+pub const TITLE: &str = "Speed against error of one scene";
+
 /// Write the file; it appears whole or not at all.
 pub fn write(
     path: &Path,
@@ -19,7 +22,7 @@ pub fn write(
     convergence: &Convergence,
     history: &str,
 ) -> Result<(), DatasetError> {
-    let mut file = DatasetWriter::create(path, "Speed against error of one scene")?;
+    let mut file = DatasetWriter::create(path, TITLE)?;
     file.attribute("source", SOURCE)?;
     file.attribute("history", history)?;
     file.attribute("scene", write_scene(scene))?;

@@ -143,7 +143,13 @@ impl Sweep<'_> {
         let ContactLife::Diameters(life) = self.query.contact_life else { return None };
         let life = 2.0 * life * pressed.equilibrium.state.loaded_radius;
         let at = || Place::of(self.query, row, rate);
-        (inception > LARGEST_STICK * life).then(|| Warning::ShortLife { at: at(), life, inception })
+        // A closed form that ends with sliding inception states no mean friction of a life.
+        let has_mean = self.law.above_range() != AboveRange::NoFriction;
+        (has_mean && inception > LARGEST_STICK * life).then(|| Warning::ShortLife {
+            at: at(),
+            life,
+            inception,
+        })
     }
 
     /// Time of sliding inception over that of a shear wave across a contact, at the largest mean shear stress of the slide.

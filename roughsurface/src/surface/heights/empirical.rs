@@ -34,8 +34,10 @@ impl Empirical {
         self.heights.len()
     }
 
-    /// Reads heights in metres, separated by white space or commas; `#` starts a comment.
+    /// Reads heights of summits in metres, separated by white space or commas; `#` starts a comment.
     pub fn read(file: &Path) -> Result<Self, String> {
+        /// Lines and numbers in each from which on they are a map: lists of heights have fewer in a line.
+        const LEAST_MAP: usize = 16;
         let file = TextFile::read(file)?;
         let mut heights = Vec::new();
         let mut words_of_lines = Vec::new();
@@ -49,11 +51,19 @@ impl Empirical {
             }
             words_of_lines.extend(Some(heights.len() - before).filter(|count| *count > 0));
         }
-        if words_of_lines.len() > 2 && words_of_lines.iter().all(|count| *count == 2) {
-            return Err(file.error(
-                "has two numbers in every line, as of positions and heights: write the heights of the summits alone, one in a line; \
-                 a profile of the surface is given in place of the surface file, as a topography",
-            ));
+        let first = words_of_lines.first().copied().unwrap_or_default();
+        let is_matrix = words_of_lines.iter().all(|count| *count == first);
+        let what = match (first, words_of_lines.len()) {
+            (2, 3..) if is_matrix => "positions and heights",
+            (LEAST_MAP.., LEAST_MAP..) if is_matrix => "a map of heights",
+            _ => "",
+        };
+        if !what.is_empty() {
+            let numbers = if first == 2 { "two".to_owned() } else { first.to_string() };
+            return Err(file.error(&format!(
+                "has {numbers} numbers in every line, as of {what}: write the heights of the summits alone, one in a line; \
+                 a profile or a map of the surface is given in place of the surface file, as a topography"
+            )));
         }
         Self::new(heights).ok_or_else(|| file.error("must hold at least two different heights in metres"))
     }

@@ -73,6 +73,21 @@ fn matrices_need_a_pixel_or_a_header() {
     assert_eq!(same.heights[..7], map.heights[..7]);
 }
 
+/// A comment states the unit of a matrix if it names heights; that of another may be the unit of points.
+#[test]
+fn a_comment_states_the_unit_of_a_matrix() {
+    let heights = |comment: &str, unit: Option<f64>| {
+        parse(&format!("# {comment}\n1 2 4 3\n3 1 2 4\n"), &Reading { unit, pixel: Some(1e-6) })
+    };
+    for comment in ["Height [nm]", "Höhe [nm]", "z (nm)"] {
+        let map = heights(comment, None).unwrap();
+        assert!(map.heights[2] == 4e-9 && map.remarks.is_empty(), "{comment}");
+        assert!(heights(comment, Some(1e-6)).unwrap_err().contains("leave out --unit"));
+    }
+    let of_points = heights("pixel [um]: 1", None).unwrap();
+    assert!(of_points.heights[2] == 4.0 && of_points.remarks.contains(&Warning::NoUnit));
+}
+
 #[test]
 fn positions_beside_a_matrix_are_no_heights() {
     let spreadsheet = ",0,2,4,6\n0,1,3,2,5\n2,4,4,1,3\n4,2,2,6,1\n";
