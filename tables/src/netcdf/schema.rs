@@ -56,9 +56,10 @@ pub(super) fn has_temperatures(file: &DatasetReader) -> Result<bool, DatasetErro
             return Err(file.content(what));
         }
         None => {
-            let what = "is not a table: global attribute \"schema\" is missing (a table is written by `asperity tabulate`, not \
-                        by `asperity run`)";
-            return Err(file.content(what.to_owned()));
+            let title =
+                file.optional_text("title")?.map(|title| format!(" but \"{title}\"")).unwrap_or_default();
+            let what = "global attribute \"schema\" is missing (a table is written by `asperity tabulate`)";
+            return Err(file.content(format!("is not a table{title}: {what}")));
         }
     }
     let version = file.attribute_real("schema_version")?;

@@ -74,7 +74,10 @@ fn foreign_files_are_named() {
     other.coordinate("step", &[0.0, 1.0], &[]).unwrap();
     other.finish().unwrap();
     let foreign = message(&path);
-    assert!(foreign.contains("is not a table: global attribute \"schema\" is missing"));
+    assert!(
+        foreign.contains("is not a table but \"a run\": global attribute \"schema\" is missing"),
+        "{foreign}"
+    );
     assert!(!foreign.contains('\n'));
 }
 

@@ -52,13 +52,23 @@ pub enum TemperatureError {
          query.temperature in the surface file or --set query.temperature=VALUE, Python by temperature=VALUE"
     )]
     NotChosen { from: f64, to: f64 },
-    #[error("initial temperature {asked} K is outside the table, which goes from {from} to {to} K")]
+    #[error("initial temperature {asked} K is outside the table, which goes from {from} to {to} K{}", of_celsius(*.asked, *.from, *.to))]
     Outside { asked: f64, from: f64, to: f64 },
     #[error(
-        "is for an initial temperature of {own} K only, not {asked} K; leave the temperature out, or \
-         make a table with table.temperature in its request"
+        "is for an initial temperature of {own} K only, not {asked} K{}; leave the temperature out, or \
+         make a table with table.temperature in its request",
+        of_celsius(*.asked, *.own - 100.0, *.own + 100.0)
     )]
     Other { asked: f64, own: f64 },
+}
+
+/// A hint where a temperature is outside a range that it is in if it is in degrees Celsius.
+fn of_celsius(asked: f64, from: f64, to: f64) -> String {
+    let kelvin = asked + 273.15;
+    match (from..=to).contains(&kelvin) {
+        true => format!("; if it is in degrees Celsius, write {}", plain(kelvin)),
+        false => String::new(),
+    }
 }
 
 /// Results of one asperity over initial temperature, interference and slip rate.

@@ -275,10 +275,7 @@ fn numbers_out_of_range_are_refused() {
     refused(&["interface.gap_conductance=-1"], &["gap_conductance"]);
     refused(&["loading.temperature=1800"], &["loading.temperature", "1793.0 K"]);
     refused(&["material.yield_strength=400e9"], &["below youngs_modulus"]);
-    refused(
-        &["material.youngs_modulus=205"],
-        &["below youngs_modulus", "if it is in GPa, write 2.05e11"],
-    );
+    refused(&["material.youngs_modulus=205"], &["below youngs_modulus", "if it is in GPa, write 2.05e11"]);
     refused(&["model.heat=on", "loading.slip_rate=0"], &["model.heat", "isothermal"]);
 }
 

@@ -80,7 +80,7 @@ pub enum Warning {
     ThinThermalLayer { share: f64, elements: Option<f64> },
     /// Share of G that is released before the shear tractions of the press turn into the motion.
     #[error(
-        "the interface is too weak for the shear tractions of the press, which is in full stick: they are released as the slide begins, and G contains their energy, some {:.0} % of it in the first increments; mu_static is the largest friction until all points slip, some of them not yet along the motion",
+        "the interface is too weak for the shear tractions of the press, which is in full stick: they are released as the slide begins, and G contains their energy, some {:.0} % of it in the first increments; mu_static is the largest friction until all points slip, some of them not yet along the motion; mu_peak contains the increase from there on",
         100.0 * .share
     )]
     ReleasedPress { share: f64 },

@@ -195,6 +195,8 @@ fn refusals_name_the_range() {
     let several = several();
     let message = several.at(1001.0).unwrap_err().to_string();
     assert_eq!(message, "initial temperature 1001 K is outside the table, which goes from 300 to 1000 K");
+    let celsius = several.at(150.0).unwrap_err().to_string();
+    assert!(celsius.ends_with("from 300 to 1000 K; if it is in degrees Celsius, write 423.15"), "{celsius}");
     assert!(several.at(f64::NAN).is_err());
     let open = several.at(None).unwrap_err().to_string();
     assert!(
