@@ -1,5 +1,6 @@
 use super::*;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
+use crate::scene::fitted_constants::contact_edge::FITTED;
 
 pub(super) fn contact() -> (RevolvedMesh, Contact) {
     let meridian = MeridianMesh::new(MeshSize::new(0.05, 4));
@@ -29,6 +30,26 @@ fn force(contact: &mut Contact, u: &[f64], flat: FlatPosition, limit: &[f64]) ->
     let mut residual = vec![0.0; u.len()];
     contact.subtract_force(&mut residual);
     residual
+}
+
+/// A rigid sphere that sinks in touches ring after ring. The pressure by which a ring has been penetrated since the last
+/// iterate does not place the edge; it does once it is that of the iterate.
+#[test]
+fn a_ring_that_has_just_touched_is_at_the_edge() {
+    let (_, mut contact) = contact();
+    let sink = |contact: &mut Contact, interference: f64| {
+        let flat = FlatPosition { interference, displacement: 0.0 };
+        contact.evaluate(|_| 0.0, flat, &vec![0.0; contact.len()]);
+        (contact.last_ring(0).unwrap(), contact.trial_edges()[0])
+    };
+    let (before, _) = sink(&mut contact, 4e-4);
+    contact.begin_iteration();
+    let (last, touched) = sink(&mut contact, 12e-4);
+    assert!(last > before);
+    assert_eq!(touched, last as f64 + 0.5 + FITTED.first_position);
+    contact.begin_iteration();
+    let (same, settled) = sink(&mut contact, 12e-4);
+    assert!(same == last && settled > touched, "{settled} {touched}");
 }
 
 /// In stick, in slip and with both (and open nodes) side by side.

@@ -134,6 +134,35 @@ fn sliding_inception_is_enclosed() {
     assert!((last.work - taken).abs() < 1e-6 * last.work, "{} {taken}", last.work);
 }
 
+/// A weak interface releases tractions of the press in the first increment. Their heat would not depend on the slip, and raise
+/// the temperature the more the shorter the increment is.
+#[test]
+fn released_tractions_of_the_press_do_not_heat() {
+    let problem = problem_of(&["interface.law=coulomb", "interface.friction=0.02"]);
+    let mut slide = ready(&problem);
+    run(&mut slide, &[slip(FAST, 0.3 * problem.expected_contact_radius())]).unwrap();
+    // Of a constant flux the rise grows as the root of time.
+    let (first, last) = (slide.history[1], slide.history[slide.history.len() - 1]);
+    let bound = last.rise_max * (first.slip / last.slip).sqrt();
+    assert!(first.rise_max > 0.0 && first.rise_max < bound, "{} {bound}", first.rise_max);
+}
+
+/// The first increment begins near its end if the contact is taken to stick, and ends in the same state.
+#[test]
+fn a_contact_that_sticks_is_a_good_predictor() {
+    let problem = problem_of(&[]);
+    let step = |sticks: bool| {
+        let mut slide = ready(&problem);
+        let to = 3e-4 * problem.expected_contact_radius();
+        let guess = if sticks { slide.sticking(to).unwrap() } else { slide.predictor() };
+        let advance = advance(&slide, to);
+        assert!(matches!(slide.step(0, advance, guess, &|| false), Ok(Attempt::Taken)));
+        (slide.mechanics.effort.newton, slide.last().friction)
+    };
+    let ((fewer, friction), (more, same)) = (step(true), step(false));
+    assert!(3 * fewer < 2 * more && (friction / same - 1.0).abs() < 1e-4, "{fewer} {more} {friction} {same}");
+}
+
 /// Steps to each of the slips in turn, forwards or backwards.
 fn go(slide: &mut Slide, slips: impl IntoIterator<Item = f64>) {
     for to in slips {
