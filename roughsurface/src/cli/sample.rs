@@ -35,7 +35,7 @@ pub struct Sample {
     /// Seed of the heights: the same seed, the same surfaces
     #[arg(long, value_name = "S", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
-    /// Slip after which friction is read, m; by default friction is the mean over the life of the contacts
+    /// Slip after which friction is read, in m or with a unit; by default friction is the mean over the life of the contacts
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, value_parser = units::length_or_zero)]
     slip: Option<f64>,
     /// Result (netCDF)

@@ -18,7 +18,8 @@ const SPIKE: f64 = 8.0;
 /// Range of all other heights over that with a mark of missing ones.
 const MARKED: f64 = 0.05;
 
-/// The same where several heights have exactly the value of the mark.
+/// The same where at least three heights have exactly the value of the mark, and so few that they could be filled in: more
+/// may be dimples or lands.
 const MARKED_OFTEN: f64 = 0.3;
 
 /// Share of the mean square without plane that a paraboloid takes off: at most 0.69 in 192 self-affine maps
@@ -91,7 +92,7 @@ pub(super) fn none_is_marked(topography: &Topography) -> Result<(), String> {
     for extreme in [low, high] {
         let count = heights.iter().filter(|height| **height == extreme).count();
         let (next_low, next_high) = range(&mut heights.iter().copied().filter(|height| *height != extreme));
-        let marked = if count < 3 { MARKED } else { MARKED_OFTEN };
+        let marked = if count < 3 || 10 * count > heights.len() { MARKED } else { MARKED_OFTEN };
         let distant = next_high - next_low < marked * (high - low);
         // Two levels alone may be a grating.
         if distant && next_high > next_low && 2 * count < heights.len() {

@@ -157,8 +157,11 @@ fn results_of_other_commands_stay() {
         folder.run_well(&predict(name));
     }
     folder.run_well(&sample("mc.nc"));
-    folder.refused(&predict("mc.nc"), "the result of another command, \"Friction of finite rough surfaces\"");
-    folder.refused(&sample("f.nc"), "the result of another command, \"Friction of a rough surface\"");
+    folder.refused(
+        &predict("mc.nc"),
+        "is not a result of this command, but \"Friction of finite rough surfaces\"",
+    );
+    folder.refused(&sample("f.nc"), "is not a result of this command, but \"Friction of a rough surface\"");
 }
 
 /// The file of heights beside the surface file would replace the map.

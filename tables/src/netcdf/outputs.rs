@@ -55,22 +55,20 @@ pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError>
             return refused(output, why);
         }
         if is_edited(output) {
-            let why =
-                "was changed since `roughsurface characterize` wrote it; choose another name, or delete it";
+            let why = "was changed since `roughsurface characterize` wrote it, or is of an earlier version; choose another name, or delete it";
             return refused(output, why);
         }
     }
     check_of_others(outputs)
 }
 
-/// Whether an output is not the result of another command of this project. Results of this one have a title that begins with
-/// `title`.
+/// Refuses an output that is not a result of this command, whose title begins with `title`.
 pub fn check_kind(output: &Path, title: &str) -> Result<(), OutputError> {
     match DatasetReader::open(output) {
         Ok(file) if !text(&file, "title").starts_with(title) => refused(
             output,
             &format!(
-                "holds the result of another command, \"{}\"; choose another name, or delete it",
+                "is not a result of this command, but \"{}\"; choose another name, or delete it",
                 text(&file, "title")
             ),
         ),

@@ -55,9 +55,8 @@ pub enum TemperatureError {
     #[error("initial temperature {asked} K is outside the table, which goes from {from} to {to} K{}", of_celsius(*.asked, *.from, *.to))]
     Outside { asked: f64, from: f64, to: f64 },
     #[error(
-        "is for an initial temperature of {own} K only, not {asked} K{}; leave the temperature out, or \
-         make a table with table.temperature in its request",
-        of_celsius(*.asked, *.own - 100.0, *.own + 100.0)
+        "is for an initial temperature of {own} K only, not {asked} K; leave the temperature out, or \
+         make a table with table.temperature in its request"
     )]
     Other { asked: f64, own: f64 },
 }

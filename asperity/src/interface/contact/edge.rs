@@ -13,7 +13,7 @@ impl Contact {
 
     fn trial_edge(&self, j: usize) -> f64 {
         let Some(last) = self.last_ring(j) else { return self.radii.len() as f64 };
-        // Where a ring has just touched its pressure is that of its penetration, in which its spring had no part: any number.
+        // The pressure of a ring that has just touched is arbitrary: its spring was not in the stiffness that gave the penetration.
         let has_just_touched = self.rings_before[j].is_some_and(|before| before < last);
         let position = match self.edge_ratios(j) {
             None => 0.5,
@@ -21,6 +21,11 @@ impl Contact {
             Some(ratios) => FITTED.position(&ratios),
         };
         last as f64 + (0.5 + position).max(0.0)
+    }
+
+    /// Whether a ring has touched since the last iterate of Newton's method.
+    pub fn has_just_touched(&self) -> bool {
+        (0..self.columns).any(|j| self.rings_before[j].is_some_and(|before| self.last_ring(j) > Some(before)))
     }
 
     /// The trial state is an iterate of Newton's method: rings that touch later have just touched.

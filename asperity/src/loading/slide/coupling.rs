@@ -6,7 +6,7 @@ use std::time::Instant;
 use super::edge_search::EdgeSearch;
 use super::friction_heat::HeatSources;
 use super::increments::Predictor;
-use super::shear_limits::{interface_hardening, shear_limits};
+use super::shear_limits::{interface_hardening, shear_limits, shear_strength};
 use super::{Advance, Slide, SlideFailure};
 use crate::discretisation::body::Body;
 use crate::heat::conduction::{Conduction, HeatBalance, HeatError};
@@ -19,9 +19,11 @@ use crate::solver::timings::Kernel;
 /// Change between iterations, over the tolerance of the residual, at which the coupled quantities are converged: of the
 /// areas of the contact points, relative, and of the flat's height, over the interference.
 const CONVERGED: f64 = 100.0;
-/// The same of the limit of friction: the sum of the changes at all points, over the sum of their limits. The largest change
-/// at a point would ask for more the finer the mesh, as the edge moves in its cell.
+/// The same of the limit of friction: the sum of the changes at all points times their areas, over that of their limits. The
+/// largest change at a point would ask for more the finer the mesh, as the edge moves in its cell.
 const CONVERGED_FRICTION: f64 = 25.0;
+/// Least limit of friction, over that of the initial strength, to which the change is related.
+const LEAST_FRICTION: f64 = 0.01;
 /// Updates in a step at most. Most steps need 3 to 8; where a hot interface loses its strength as sliding begins, each
 /// leaves up to 0.7 of the change of the one before.
 const MOST_UPDATES: usize = 24;
@@ -52,7 +54,7 @@ struct Coupling<'a> {
     dt: f64,
     /// Displacement of the flat in the increment.
     slip: f64,
-    /// Slip of a point that heats it, at most.
+    /// Largest slip of a point in the increment that counts as heating.
     most_slip: f64,
     /// Heat sources of the previous increment, used for the first iterate.
     sources_before: &'a HeatSources,
@@ -80,7 +82,6 @@ impl Coupling<'_> {
         if self.held {
             return None;
         }
-        let share = self.edge.share();
         if iteration > 0 {
             let edges = self.edge.next(contact.edges(), contact.trial_edges());
             contact.set_edges(&edges);
@@ -93,13 +94,13 @@ impl Coupling<'_> {
         let rise = self.temperature(body, contact, &hardened, iteration);
         let (elevation, raised) = self.elevation(contact, iteration).unzip();
         let limit = shear_limits(self.problem, contact, &hardened, rise.as_deref());
-        let change =
-            (self.friction_change(contact, &limit) / share).max(raised.unwrap_or(0.0)).max(stretched);
+        let change = self.friction_change(contact, &limit).max(raised.unwrap_or(0.0)).max(stretched);
         match &mut self.smallest {
             (smallest, since) if change < *smallest => (*smallest, *since) = (change, 0),
             (_, since) => *since += 1,
         }
-        self.held = change <= 1.0 || self.updates_left == 0 || self.smallest.1 == STAGNANT_UPDATES;
+        let agrees = change <= 1.0 && !contact.has_just_touched();
+        self.held = agrees || self.updates_left == 0 || self.smallest.1 == STAGNANT_UPDATES;
         self.updates_left = self.updates_left.saturating_sub(1);
         self.limit = Some(limit.clone());
         let rise = self.conduction.as_ref().zip(rise).map(|(conduction, rise)| conduction.of_body(&rise));
@@ -170,10 +171,16 @@ impl Coupling<'_> {
     fn friction_change(&self, contact: &Contact, limit: &[f64]) -> f64 {
         let Some(last) = &self.limit else { return f64::INFINITY };
         // In full stick the limits are infinite, and equal.
-        let changed = || last.iter().zip(limit).zip(&contact.areas).filter(|((a, b), _)| a != b);
-        let change: f64 = changed().map(|((a, b), area)| area * (a - b).abs()).sum();
+        let changed = last.iter().zip(limit).zip(&contact.areas).filter(|((a, b), _)| a != b);
+        let change: f64 = changed.map(|((a, b), area)| area * (a - b).abs()).sum();
         let friction: f64 = limit.iter().zip(&contact.areas).map(|(limit, area)| area * limit).sum();
-        if change == 0.0 { 0.0 } else { change / (CONVERGED_FRICTION * self.tolerance * friction) }
+        let area: f64 = (0..contact.len()).map(|point| contact.covered_area(&contact.trial, point)).sum();
+        let least = LEAST_FRICTION * shear_strength(self.problem, 1.0, 0.0) * area;
+        match change / (CONVERGED_FRICTION * self.tolerance * friction.max(least)) {
+            _ if change == 0.0 => 0.0,
+            change if change.is_nan() => f64::INFINITY,
+            change => change,
+        }
     }
 }
 

@@ -18,7 +18,7 @@ pub struct EdgeSearch {
 }
 
 impl EdgeSearch {
-    /// The next assumed edge: the computed one, or the secant step of the last two where the iteration oscillates.
+    /// The next assumed edge, by a step to the computed one or a share of it, or by the secant step of the last two where the iteration oscillates.
     pub fn next(&mut self, assumed: Vec<f64>, computed: Vec<f64>) -> Vec<f64> {
         let step = |i: usize| {
             let off = computed[i] - assumed[i];
@@ -31,16 +31,11 @@ impl EdgeSearch {
                 off
             }
         };
-        let share = self.share();
+        let share = 0.5f64.powi(self.updates / FULL_UPDATES);
         let next = (0..assumed.len()).map(|i| assumed[i] + share * step(i)).collect();
         self.last = Some((assumed, computed));
         self.updates += 1;
         next
-    }
-
-    /// Share of the step that the next update takes.
-    pub fn share(&self) -> f64 {
-        0.5f64.powi(self.updates / FULL_UPDATES)
     }
 }
 

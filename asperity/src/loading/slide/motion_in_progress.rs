@@ -95,8 +95,8 @@ impl Slide<'_> {
             // What changes in a hold decays: extrapolated over ever longer increments, what the solver's tolerance leaves
             // would grow.
             None if !slides => committed.clone(),
-            // Without a state before there is nothing to extrapolate.
-            None if done == 0.0 => self.sticking(to).unwrap_or_else(|_| committed.clone()),
+            // Nothing to extrapolate from at the start and after a hold or a reversal, where the contact sticks.
+            None if done == 0.0 && !self.has_begun => self.sticking(to).unwrap_or_else(|_| committed.clone()),
             None => Predictor::between((&motion.before.0, motion.before.1), (&committed, done), next),
             Some(end) => Predictor::between((&committed, done), (&end.predictor, end.slip), next),
         };

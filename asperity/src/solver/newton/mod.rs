@@ -294,7 +294,7 @@ impl Mechanics {
         u.iter_mut().zip(&direction).for_each(|(u, d)| *u -= d);
     }
 
-    /// Displacement at the end of a movement of the flat of an elastic body that sticks to it, from the present state.
+    /// Displacement after the flat has moved, of an elastic body that sticks to it, from the present state.
     pub fn sticking(&mut self, from: FlatPosition, to: FlatPosition) -> Result<Vec<f64>, StepFailure> {
         let [mut residual, mut direction] = [0, 1].map(|_| vec![0.0; self.internal.len()]);
         let unlimited = vec![f64::INFINITY; self.contact.len()];

@@ -36,7 +36,7 @@ impl Empirical {
 
     /// Reads heights of summits in metres, separated by white space or commas; `#` starts a comment.
     pub fn read(file: &Path) -> Result<Self, String> {
-        /// Lines and numbers in each from which on they are a map: lists of heights have fewer in a line.
+        /// Least number of lines, and of numbers in each, of a map.
         const LEAST_MAP: usize = 16;
         let file = TextFile::read(file)?;
         let mut heights = Vec::new();

@@ -139,6 +139,13 @@ fn pairs_of_positions_and_heights_are_no_sample() {
     let read = |text: &str| read(text, Empirical::read);
     let message = read("# x z\n0 1e-7\n1e-6 2e-7\n\n2e-6 3e-7\n").unwrap_err();
     assert!(message.contains("has two numbers in every line"), "{message}");
+    let matrix =
+        |lines: usize, numbers: usize| format!("{}\n", "1e-7 2e-7 ".repeat(numbers / 2)).repeat(lines);
+    let message = read(&matrix(16, 16)).unwrap_err();
+    assert!(message.contains("has 16 numbers in every line, as of a map of heights"), "{message}");
+    for (lines, numbers) in [(15, 16), (16, 14)] {
+        read(&matrix(lines, numbers)).unwrap();
+    }
     for heights in [
         "1e-7 2e-7\n3e-7 4e-7\n",
         "1e-7\n2e-7\n",

@@ -99,12 +99,10 @@ impl Titles {
     /// Known units of comments such as `# Height [nm]`; in others they may be those of points.
     fn of_heights(&self) -> impl Iterator<Item = Unit> {
         const HEIGHTS: [&str; 7] = ["height", "heights", "z", "topography", "höhe", "höhen", "hauteur"];
-        let of_heights = |line: &&String| HEIGHTS.contains(&before_bracket(line).to_lowercase().as_str());
-        self.comments
-            .iter()
-            .filter(of_heights)
-            .map(|line| Column::of(line, false).unit)
-            .filter(Unit::is_known)
+        let first = |line: &String| line.split_inclusive([']', ')']).next().unwrap_or_default().to_owned();
+        let of_heights = |cell: &String| HEIGHTS.contains(&before_bracket(cell).to_lowercase().as_str());
+        let cells = self.comments.iter().map(first).filter(of_heights);
+        cells.map(|cell| Column::of(&cell, false).unit).filter(Unit::is_known)
     }
 }
 

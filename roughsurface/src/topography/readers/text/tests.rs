@@ -79,7 +79,9 @@ fn a_comment_states_the_unit_of_a_matrix() {
     let heights = |comment: &str, unit: Option<f64>| {
         parse(&format!("# {comment}\n1 2 4 3\n3 1 2 4\n"), &Reading { unit, pixel: Some(1e-6) })
     };
-    for comment in ["Height [nm]", "Höhe [nm]", "z (nm)"] {
+    for comment in
+        ["Height [nm]", "Höhe [nm]", "z (nm)", "z [nm] x [um] y [um]", "Height [nm], pixel [um]: 1"]
+    {
         let map = heights(comment, None).unwrap();
         assert!(map.heights[2] == 4e-9 && map.remarks.is_empty(), "{comment}");
         assert!(heights(comment, Some(1e-6)).unwrap_err().contains("leave out --unit"));
