@@ -85,10 +85,8 @@ fn a_cut_back_restores_the_history_completely() {
     let slips: Vec<f64> = forced.history.iter().map(|state| state.slip).collect();
     for (k, pair) in slips.windows(2).enumerate() {
         let committed = direct.predictor();
-        let guess = match k {
-            0 => direct.sticking(pair[1]).unwrap(),
-            _ => Predictor::between((&before, slips[k - 1]), (&committed, pair[0]), pair[1]),
-        };
+        let slip_before = if k == 0 { 0.0 } else { slips[k - 1] };
+        let guess = Predictor::between((&before, slip_before), (&committed, pair[0]), pair[1]);
         let advance = advance(&direct, pair[1]);
         assert!(matches!(direct.step(0, advance, guess, &|| false), Ok(Attempt::Taken)));
         before = committed;
