@@ -14,10 +14,9 @@ impl Contact {
     fn trial_edge(&self, j: usize) -> f64 {
         let Some(last) = self.last_ring(j) else { return self.radii.len() as f64 };
         // The pressure of a ring that has just touched is arbitrary: its spring was not in the stiffness that gave the penetration.
-        let has_just_touched = self.rings_before[j].is_some_and(|before| before < last);
         let position = match self.edge_ratios(j) {
             None => 0.5,
-            Some(_) if has_just_touched => FITTED.first_position,
+            Some(_) if self.has_touched_at(j) => FITTED.first_position,
             Some(ratios) => FITTED.position(&ratios),
         };
         last as f64 + (0.5 + position).max(0.0)
@@ -25,7 +24,11 @@ impl Contact {
 
     /// Whether a ring has touched since the last iterate of Newton's method.
     pub fn has_just_touched(&self) -> bool {
-        (0..self.columns).any(|j| self.rings_before[j].is_some_and(|before| self.last_ring(j) > Some(before)))
+        (0..self.columns).any(|j| self.has_touched_at(j))
+    }
+
+    fn has_touched_at(&self, j: usize) -> bool {
+        self.rings_before[j].is_some_and(|before| self.last_ring(j) > Some(before))
     }
 
     /// The trial state is an iterate of Newton's method: rings that touch later have just touched.

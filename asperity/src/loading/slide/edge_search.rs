@@ -18,7 +18,8 @@ pub struct EdgeSearch {
 }
 
 impl EdgeSearch {
-    /// The next assumed edge, by a step to the computed one or a share of it, or by the secant step of the last two where the iteration oscillates.
+    /// The next assumed edge: a step to the computed one, or the secant step of the last two where the iteration oscillates;
+    /// after `FULL_UPDATES` a share of it.
     pub fn next(&mut self, assumed: Vec<f64>, computed: Vec<f64>) -> Vec<f64> {
         let step = |i: usize| {
             let off = computed[i] - assumed[i];
@@ -65,7 +66,7 @@ mod tests {
     }
 
     /// The edge of a ring that touches where the edge is outside and lifts off where it is inside: full steps would alternate
-    /// between the two for ever.
+    /// between the two.
     #[test]
     fn an_edge_between_two_states_is_approached() {
         let mut search = EdgeSearch::default();
