@@ -242,9 +242,10 @@ impl Scene {
     pub(crate) fn localised_shear(&self, plastic_strain: f64) -> Option<&'static localised_shear::Bounds> {
         let plateau = self.plateau_below_interface();
         let localises = self.interface_as_strong() && plastic_strain > 0.0 && plastic_strain <= plateau;
-        localises.then_some(match plateau.is_finite() {
-            true => &localised_shear::ON_PLATEAU,
-            false => &localised_shear::WITHOUT_LIMIT,
+        localises.then_some(match self.interface.strength {
+            InterfaceStrength::Current => &localised_shear::HARDENING_INTERFACE,
+            InterfaceStrength::Initial if plateau.is_finite() => &localised_shear::ON_PLATEAU,
+            InterfaceStrength::Initial => &localised_shear::PERFECTLY_PLASTIC,
         })
     }
 

@@ -199,6 +199,8 @@ fn shear_localises_where_the_body_does_not_harden() {
         );
     }
     assert!(scene_with(&["interface.strength_factor=0.9"]).localised_shear(0.01).is_none());
+    let friction = |set: &[&str]| scene_with(set).localised_shear(0.001).map(|bounds| bounds.friction);
+    assert!(friction(&[]) < friction(&[HARDENS, "interface.strength=current"]));
 }
 
 /// A film of 10 GPa with the strength of the metal as its limit is that strength; Coulomb's law reaches it where the
