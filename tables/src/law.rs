@@ -182,7 +182,7 @@ pub trait AsperityLaw: Send + Sync {
     fn breaks_after(&self, _radius: f64, _slip: f64) -> Vec<f64> {
         Vec::new()
     }
-    /// Relative uncertainty of load and friction of a sphere of `radius` (m), as the law is for another one.
+    /// Largest relative uncertainty of the friction coefficient of a sphere of `radius` (m), as the law is for another one.
     fn radius_uncertainty(&self, _radius: f64) -> f64 {
         0.0
     }

@@ -96,7 +96,7 @@ pub enum Warning {
     )]
     HeatOfFaces { at: Place, time: f64, rise: f64, after: f64, face_rise: f64 },
     #[error(
-        "the table is of a strength that grows with the strain rate: it holds at its own radius; at {} m friction and load are uncertain by {:.1} % more",
+        "the table is of a strength that grows with the strain rate: it holds at its own radius; at {} m values are corrected for the strength there, and mu is uncertain by up to {:.1} % more",
         digits(*.radius, 6),
         100.0 * .share
     )]

@@ -287,7 +287,7 @@ impl Interpolant {
     }
 
     /// a₀, m.
-    fn contact_radius(&self, (first, last): (usize, usize), place: &RowPosition) -> f64 {
+    pub(super) fn contact_radius(&self, (first, last): (usize, usize), place: &RowPosition) -> f64 {
         let of_row = |row: usize| self.log_contact_radius[row].exp();
         match *place {
             RowPosition::Below(below) => extrapolated(

@@ -9,8 +9,8 @@
 //!   ξ = V/V₁ below it, down to the isothermal limit V = 0 at ξ = 0 where the table has one. ξ
 //!   and its derivative are continuous at V₁. Temperature rises below V₁: see `low_rates`.
 //! - **Slip**: monotone cubic in s/a₀ between the points of the histories, constant after the last.
-//! - **Radius**: read at VR/R_t, ω/ω_c and s/a₀; forces and areas scale with (R/R_t)². A strength that grows with the
-//!   strain rate adds to the errors.
+//! - **Radius**: read at VR/R_t, ω/ω_c and s/a₀; forces and areas scale with (R/R_t)². Where the strength grows with
+//!   the strain rate: see `strain_rate`.
 //! - **Initial temperature**: see `temperature`.
 //! - **Errors**: those of the points, interpolated linearly, plus an estimate of the
 //!   interpolation error from the prediction of each point by the others (see `nodes`). Along
@@ -29,6 +29,7 @@ mod nodes;
 mod plastic_limit;
 mod scalar;
 pub mod steffen;
+mod strain_rate;
 mod temperature;
 
 use std::ops::Deref;
@@ -39,7 +40,7 @@ pub(crate) use interpolant::coordinates;
 pub(crate) use nodes::{blend_one, cubic, neighbours};
 
 use crate::law::{AsperityLaw, Estimate, LookupError, OptionalEstimate, Response, SlidingResponse};
-use crate::quantity::Quantity;
+use crate::quantity::{ElasticLimit, Quantity};
 use crate::table::{Slice, Status};
 use nodes::{Absent, COEFFICIENT, Errors, StateQuantity, Values};
 use steffen::Location;
@@ -87,18 +88,6 @@ impl InterpolatedTable {
         Ok(ratio)
     }
 
-    /// Relative uncertainty of the strength at R = `ratio`·R_t, where VR is that of the table, but not the strain rate
-    /// V/a, which is in proportion to 1/R²; and above the last row, where a is extrapolated in proportion to √ω. Of the
-    /// strength at the smallest strain rate of the table.
-    fn strength_uncertainty(&self, interference: f64, ratio: f64) -> f64 {
-        let Some(coefficient) = self.metadata().rate_coefficient else { return 0.0 };
-        let extrapolated = (interference / self.interference_limit()).max(1.0).ln();
-        let largest =
-            self.interpolant.rows.map_or(f64::NAN, |(_, last)| self.interpolant.log_contact_radius[last]);
-        let smallest = self.interpolant.sphere.rate_factor(self.axes().slip_rate[0], largest.exp());
-        coefficient / smallest * (2.0 * ratio.ln().abs() + 0.5 * extrapolated)
-    }
-
     fn check_interference(&self, interference: f64) -> Result<(), LookupError> {
         let limit = self.contact_limit();
         if interference > limit * (1.0 + ROUNDING) {
@@ -111,6 +100,7 @@ impl InterpolatedTable {
     fn scaled(
         &self,
         interference: f64,
+        slip_rate: f64,
         ratio: f64,
         slip: f64,
         state: impl Fn(f64) -> Result<(Values, Errors), Absent>,
@@ -118,19 +108,23 @@ impl InterpolatedTable {
         let base = self.metadata().temperature;
         let (values, errors) =
             if interference > 0.0 { state(slip.max(0.0) / ratio)? } else { Default::default() };
-        let strength = self.strength_uncertainty(interference, ratio);
-        let estimate = |field: StateQuantity, scale: f64, uncertainty: f64| Estimate {
-            value: scale * values[field as usize],
-            error: scale * (values[field as usize] * (errors[field as usize].abs() + uncertainty)).abs(),
+        let strength = self.strength_change(interference, slip_rate * ratio, ratio);
+        let estimate = |field: StateQuantity, scale: f64, limit: ElasticLimit| {
+            let effect = strength.of(limit);
+            let (value, error) = (values[field as usize], errors[field as usize].abs());
+            Estimate {
+                value: scale * effect.factor * value,
+                error: scale * (value * (effect.factor * error + effect.error)).abs(),
+            }
         };
         let squared = ratio * ratio;
-        let rise = estimate(StateQuantity::TemperatureRise, 1.0, strength);
+        let rise = estimate(StateQuantity::TemperatureRise, 1.0, ElasticLimit::TemperatureRise);
         Ok(Response {
-            load: estimate(StateQuantity::Load, squared, strength),
-            friction: estimate(StateQuantity::Friction, squared, strength),
-            area: estimate(StateQuantity::Area, squared, 0.0),
+            load: estimate(StateQuantity::Load, squared, ElasticLimit::Load),
+            friction: estimate(StateQuantity::Friction, squared, ElasticLimit::SlidingFriction),
+            area: estimate(StateQuantity::Area, squared, ElasticLimit::Area),
             temperature_max: Estimate { value: base + rise.value, error: rise.error },
-            coefficient_error: errors[COEFFICIENT] + strength,
+            coefficient_error: errors[COEFFICIENT] + strength.of(ElasticLimit::SlidingCoefficient).error,
         })
     }
 
@@ -212,7 +206,10 @@ impl AsperityLaw for InterpolatedTable {
     }
 
     fn radius_uncertainty(&self, radius: f64) -> f64 {
-        self.strength_uncertainty(self.interference_limit(), radius / self.metadata().asperity_radius)
+        let slowest = self.axes().slip_rate[0];
+        let ratio = radius / self.metadata().asperity_radius;
+        let strength = self.strength_change(self.interference_limit(), slowest, ratio);
+        strength.of(ElasticLimit::SlidingCoefficient).error
     }
 
     fn breaks(&self) -> Vec<f64> {
@@ -246,7 +243,7 @@ impl AsperityLaw for InterpolatedTable {
         let ratio = self.radius_ratio(radius)?;
         let rate = self.located_rate(interference, slip_rate, ratio)?;
         let state = |slip| self.interpolant.state(interference, rate, slip);
-        self.scaled(interference, ratio, slip, state).map_err(|absent| self.absent(absent, ratio))
+        self.scaled(interference, slip_rate, ratio, slip, state).map_err(|absent| self.absent(absent, ratio))
     }
 
     /// Interpolates along the slip rate once.
@@ -262,7 +259,7 @@ impl AsperityLaw for InterpolatedTable {
                 return self.response(radius, interference, slip_rate, slip);
             }
             let state = |slip| column.state(interference, Location::on(0), slip);
-            self.scaled(interference, ratio, slip, state)
+            self.scaled(interference, slip_rate, ratio, slip, state)
                 // The general lookup gives the reason of an error.
                 .or_else(|_| self.response(radius, interference, slip_rate, slip))
         }))

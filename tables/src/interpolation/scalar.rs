@@ -64,10 +64,11 @@ impl InterpolatedTable {
             }
         };
         let descriptor = quantity.descriptor();
-        let exponent = if descriptor.of_press { 0.0 } else { descriptor.elastic_limit.strength_exponent() };
-        let of_rate = exponent * self.strength_uncertainty(interference, ratio) * value.abs();
+        let limit = if descriptor.of_press { ElasticLimit::None } else { descriptor.elastic_limit };
+        let of_rate = self.strength_change(interference, slip_rate * ratio, ratio).of(limit);
+        let (value, error) = (of_rate.factor * value, of_rate.factor * error + of_rate.error * value.abs());
         let scale = ratio.powi(descriptor.radius_exponent);
-        Ok(Estimate { value: scale * (origin + value), error: scale * (error + of_rate) })
+        Ok(Estimate { value: scale * (origin + value), error: scale * error })
     }
 
     /// Whether sliding begins in all cells around a place.
