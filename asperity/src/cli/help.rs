@@ -100,7 +100,7 @@ loading.slip_rate:
   [table]                         # both keys are optional
   interference = [0.1, 1, 10, 100]    # default: from 0.1 to the largest that the hemisphere has
                                   # room for, about 15 values; or { from = 0.1, to = 100, points = 8 }
-  slip_rate = [0.1, 1.0, 10.0]    # m/s; default: 0, 0.03, 0.12, 0.3, 0.7, 1.6, 3, 5.5 and 10
+  slip_rate = [0.1, 1.0, 10.0]    # m/s; default: 0, 0.03, 0.25, 1.2, 4 and 10
 
 Finished cells are kept in OUTPUT.part until the table is written; an interrupted
 tabulation continues from there:

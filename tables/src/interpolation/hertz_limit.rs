@@ -72,6 +72,10 @@ impl ElasticSphere {
         Some(self.shear_limit?.gross_slip(peak))
     }
 
+    pub(super) fn has_rate_law(&self) -> bool {
+        self.rate_law.is_some()
+    }
+
     /// Λ = 1 + C ln(V/(aε̇₀)), by which the strength is larger at a slip rate (m/s) and contact radius (m); 1 without a rate
     /// law.
     pub(super) fn rate_factor(&self, slip_rate: f64, contact_radius: f64) -> f64 {

@@ -5,7 +5,8 @@
 //!   exact for power laws. Below the first point extrapolation towards the Hertz limit, see `hertz_limit`;
 //!   above the last towards the fully plastic limit, see `plastic_limit`, up to the [largest
 //!   contact](crate::law::LARGEST_CONTACT).
-//! - **Slip rate**: the same in ξ(V) = 1 + ln(V/V₁) from the first positive slip rate V₁ on and
+//! - **Slip rate**: with heat in the temperature rise, see `temperature_rise`. The rise itself, and all without heat or with
+//!   a rate law, as along interference in ξ(V) = 1 + ln(V/V₁) from the first positive slip rate V₁ on and
 //!   ξ = V/V₁ below it, down to the isothermal limit V = 0 at ξ = 0 where the table has one. ξ
 //!   and its derivative are continuous at V₁. Temperature rises below V₁: see `low_rates`.
 //! - **Slip**: monotone cubic in s/a₀ between the points of the histories, constant after the last.
@@ -31,6 +32,7 @@ mod scalar;
 pub mod steffen;
 mod strain_rate;
 mod temperature;
+mod temperature_rise;
 
 use std::ops::Deref;
 

@@ -4,6 +4,7 @@ use super::hertz_limit::{BelowFirstRow, ElasticSphere, HeatRatio, extrapolated};
 use super::interpolant::RowPosition;
 use super::nodes::{Absent, OF_PARABOLA, OF_STRAIGHT, blend_with_bend, ends};
 use super::steffen::Location;
+use super::temperature_rise::{self, blend_reciprocals};
 use super::{Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
 use crate::quantity::{COVERAGE_FACTOR, ElasticLimit, OF_BOUND, Quantity};
@@ -106,6 +107,31 @@ impl InterpolatedTable {
         Some((rise, low_rate.bend * rise.abs()))
     }
 
+    /// Axis of the mean temperature rises of row `i` and the place of a slip rate on it, for what is not a temperature itself,
+    /// with the relative uncertainty of the rise at a low slip rate.
+    fn rise_axis_of_row(
+        &self,
+        quantity: Quantity,
+        i: usize,
+        rate: Location,
+    ) -> Option<(Vec<f64>, Location, f64)> {
+        const MEAN: Quantity = Quantity::TemperatureMean;
+        if quantity.is_temperature() {
+            return None;
+        }
+        let origin = MEAN.origin(self.metadata().temperature);
+        let of_rate = |j: usize| Some(MEAN.above_origin(self.cell(i, j)?[MEAN].value, origin));
+        let (rise, bend) = match self.rise_at_low_rate(MEAN, origin, i, rate) {
+            Some(value_and_bend) => value_and_bend,
+            None => {
+                let known = |j| of_rate(j).ok_or((i, j));
+                (blend_with_bend(&self.interpolant.rate_coordinate, rate, known).ok()?.0, 0.0)
+            }
+        };
+        let (axis, place) = self.interpolant.rise_axis(rate, rise, of_rate)?;
+        Some((axis, place, bend / rise))
+    }
+
     /// (value above `origin`, error) at the radius of the table and inside its rows.
     fn between(
         &self,
@@ -130,8 +156,16 @@ impl InterpolatedTable {
             if let Some(value_and_bend) = self.rise_at_low_rate(quantity, origin, i, rate) {
                 return Ok(value_and_bend);
             }
-            let (value, bend) = blend_with_bend(rate_coordinate, rate, |j| Ok(at(i, j)?.0))?;
-            let unknown = if only_two > 0.0 { only_two * (at(i, 1)?.0 - at(i, 0)?.0).abs() } else { 0.0 };
+            let of_rate = |j| Ok(at(i, j)?.0);
+            let unknown = if only_two > 0.0 { only_two * (of_rate(1)? - of_rate(0)?).abs() } else { 0.0 };
+            if let Some((axis, place, uncertainty)) = self.rise_axis_of_row(quantity, i, rate) {
+                let (value, bend) = match quantity.descriptor().elastic_limit {
+                    ElasticLimit::SlidingCoefficient => blend_reciprocals(&axis, place, of_rate)?,
+                    _ => temperature_rise::blend(&axis, place, of_rate)?,
+                };
+                return Ok((value, unknown.max(bend + uncertainty * (value - of_rate(0)?).abs())));
+            }
+            let (value, bend) = blend_with_bend(rate_coordinate, rate, of_rate)?;
             Ok((value, bend.max(unknown)))
         };
         let (value, mut bends) = blend_with_bend(log_interference, place, |i| Ok(row(i)?.0))?;

@@ -18,8 +18,9 @@ const INTERFERENCES: [f64; 19] = [
 /// The largest interference is at least this factor above the one before.
 const LEAST_RATIO: f64 = 1.3;
 
-/// V, m/s: the isothermal limit, and at ratios that fall from 4 to 1.8, as friction falls faster.
-pub const SLIP_RATES: [f64; 9] = [0.0, 0.03, 0.12, 0.3, 0.7, 1.6, 3.0, 5.5, 10.0];
+/// V, m/s: the isothermal limit, and at ratios that fall from 8 to 2.5, as the temperature rises faster. Values are interpolated
+/// in the rise.
+pub const SLIP_RATES: [f64; 6] = [0.0, 0.03, 0.25, 1.2, 4.0, 10.0];
 
 /// Smallest ω₀/ω_c of the grid.
 pub const SMALLEST_INTERFERENCE: f64 = INTERFERENCES[0];
