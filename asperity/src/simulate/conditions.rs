@@ -8,11 +8,14 @@ use crate::scene::fitted_constants::smooth_flux;
 use crate::scene::loading::extent;
 use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics, LoadingStep};
 use crate::simulate::SimulationError;
-use crate::simulate::accuracy::modelling_error::{ModellingError, SharedHeat, energy_of_press};
+use crate::simulate::accuracy::modelling_error::{
+    ElasticStrain, ModellingError, SharedHeat, energy_of_press,
+};
 use crate::simulate::accuracy::resolution::{Resolution, thermal_layer_refinements, thermal_sublayers};
 use crate::simulate::messages::Warning;
 use crate::simulate::pressed::Pressed;
 use crate::simulate::run::Run;
+use crate::simulate::strain::elastic_strain;
 
 /// Expected softening before sliding, over the required accuracy, below which the mesh of conduction is not divided.
 const NEGLIGIBLE_AT_INCEPTION: f64 = 0.01;
@@ -118,6 +121,11 @@ impl<'a> Conditions<'a> {
             shared_heat: self.shared_heat(run),
             heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition_error },
             strain: if small { run.plastic_strain() } else { 0.0 },
+            elastic_strain: small.then(|| ElasticStrain {
+                strain: elastic_strain(scene, problem),
+                traction: run.largest_traction() / SHEAR_RATIO,
+                interference: scene.loading.interference,
+            }),
             press_coupling: problem.press_friction.neglected,
             press_energy: energy_of_press(
                 problem.press_friction.neglected,

@@ -1,21 +1,27 @@
 //! Interference of a prescribed load: that whose press has the load on the mesh of the main run.
 
-use tables::numbers::{plain, rounded};
+use tables::numbers::{digits, plain, rounded};
 
 use super::messages::Note;
-use super::pressed::press;
+use super::pressed::{largest_interference, press};
 use super::{SimulationError, Watch};
 use crate::scene::{Loading, Scene};
 
 /// Relative difference of the load at which the interference is found.
 const CLOSE: f64 = 3e-4;
-/// Presses that may be tried; three or four are the rule.
-const MOST_PRESSES: usize = 12;
+/// Presses that may be tried; three or four are the rule. Most of those refused end before they begin.
+const MOST_PRESSES: usize = 30;
 /// d ln P/d ln ω of the first step, between those of elastic (3/2) and of plastic spheres (1).
 const FIRST_SLOPE: f64 = 1.2;
 /// Bounds of that slope between two presses; the load of a press scatters by the position of the edge in its mesh.
 const SLOPES: [f64; 2] = [0.7, 1.6];
 const DIGITS: usize = 5;
+/// Step from an interference that does not fit into the hemisphere.
+const SHALLOWER: f64 = 0.7;
+/// Ratio of an interference that does not fit to one that does, at which the load is refused.
+const BRACKET: f64 = 1.05;
+/// ω/ω_c at which the search ends where none fits.
+const LEAST: f64 = 1.0;
 
 /// The scene with the interference in place of the load `prescribed`, N, and what is said of it.
 pub(super) fn with_interference(
@@ -29,9 +35,26 @@ pub(super) fn with_interference(
     };
     let mut interference = rounded(scene.loading.interference, DIGITS);
     let mut before: Option<[f64; 2]> = None;
+    // The smallest interference that did not fit, and why.
+    let mut refused: Option<(f64, String)> = None;
     for _ in 0..MOST_PRESSES {
         let found = pressed_to(interference);
-        let load = load_of(&found, watch).map_err(|error| of_load(error, prescribed))?;
+        let load = match load_of(&found, watch) {
+            Ok(load) => load,
+            // The first guess of a deep contact may be far too deep.
+            Err(SimulationError::Unsupported(reason)) => {
+                let fits = largest_interference(&found).unwrap_or(SHALLOWER * interference);
+                let known = before.map(|[omega, _]| omega.exp()).filter(|omega| *omega > fits);
+                let shallower = known.map_or(fits, |omega| (omega * interference).sqrt());
+                refused = Some((interference, reason));
+                if let Some(error) = too_large(prescribed, before, &refused) {
+                    return Err(error);
+                }
+                interference = rounded(shallower, DIGITS);
+                continue;
+            }
+            Err(error) => return Err(error),
+        };
         if (load / prescribed - 1.0).abs() < CLOSE {
             return Ok((found, Note::OfLoad { prescribed, interference }));
         }
@@ -39,7 +62,13 @@ pub(super) fn with_interference(
         let slope = before.map_or(FIRST_SLOPE, |[omega, load]| (here[1] - load) / (here[0] - omega));
         let step = (prescribed.ln() - here[1]) / slope.clamp(SLOPES[0], SLOPES[1]);
         before = Some(here);
-        interference = rounded(interference * step.exp(), DIGITS);
+        if load < prescribed
+            && let Some(error) = too_large(prescribed, before, &refused)
+        {
+            return Err(error);
+        }
+        let limit = refused.as_ref().map_or(f64::INFINITY, |(limit, _)| (limit * interference).sqrt());
+        interference = rounded((interference * step.exp()).min(limit), DIGITS);
     }
     Err(SimulationError::NotConverged {
         stage: "press",
@@ -59,14 +88,24 @@ fn load_of(scene: &Scene, watch: &dyn Watch) -> Result<f64, SimulationError> {
     Ok(press(&Scene { loading, ..scene.clone() }, watch)?.reported_load())
 }
 
-/// The refusal of an interference, in terms of the load.
-fn of_load(error: SimulationError, load: f64) -> SimulationError {
-    match error {
-        SimulationError::Unsupported(reason) => {
-            SimulationError::Unsupported(format!("loading.load = {} N: {reason}", plain(load)))
-        }
-        error => error,
-    }
+/// The refusal of a load, where the interference `refused` is hardly above one whose load is known, or far below the first guess.
+fn too_large(
+    prescribed: f64,
+    known: Option<[f64; 2]>,
+    refused: &Option<(f64, String)>,
+) -> Option<SimulationError> {
+    let (limit, reason) = refused.as_ref()?;
+    let pressed = match known {
+        Some([omega, load]) if *limit < BRACKET * omega.exp() => format!(
+            "; an interference of {} omega_c has a load of {} N",
+            digits(omega.exp(), 4),
+            digits(load.exp(), 3)
+        ),
+        None if *limit < LEAST => String::new(),
+        _ => return None,
+    };
+    let load = plain(prescribed);
+    Some(SimulationError::Unsupported(format!("loading.load = {load} N: {reason}{pressed}")))
 }
 
 #[cfg(test)]
@@ -78,8 +117,12 @@ mod tests {
     use crate::simulate::{Unwatched, simulate};
 
     fn scene(load: &str, slip_distance: &str) -> Scene {
+        of_preset("steel-4340", load, slip_distance)
+    }
+
+    fn of_preset(preset: &str, load: &str, slip_distance: &str) -> Scene {
         let text = format!(
-            "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n[loading]\n{load}\nslip_rate = 0\n\
+            "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n[loading]\n{load}\nslip_rate = 0\n\
              slip_distance = {slip_distance}\n[numerics]\nelements_per_radius = 6\nsectors = 4\n"
         );
         parse(&text, &[]).unwrap()
@@ -112,9 +155,23 @@ mod tests {
         assert_eq!(again.scalars, outcome.scalars);
     }
 
+    /// The largest load that is pressed is stated.
     #[test]
     fn a_load_beyond_the_hemisphere_is_refused() {
-        let error = simulate(&scene("load = 1e6", "0.2"), &Unwatched).unwrap_err().to_string();
-        assert!(error.contains("loading.load = 1e6 N") && error.contains("goes to about"), "{error}");
+        let error = simulate(&scene("load = 1e6", "0"), &Unwatched).unwrap_err().to_string();
+        let words = ["loading.load = 1e6 N", "goes to about", "omega_c has a load of"];
+        assert!(words.iter().all(|word| error.contains(word)), "{error}");
+    }
+
+    /// The closed form underestimates the load of a deep contact that hardens: its interference for this load does not fit.
+    #[test]
+    fn a_load_is_found_where_the_first_guess_is_too_deep() {
+        let copper = of_preset("copper", "load = 80", "0");
+        let guess = copper.loading.interference;
+        let at_guess = load_of(&copper, &Unwatched);
+        assert!(matches!(at_guess, Err(SimulationError::Unsupported(_))), "{at_guess:?}");
+        let outcome = simulate(&copper, &Unwatched).unwrap();
+        assert!((outcome.scalars[Quantity::LoadPress].value / 80.0 - 1.0).abs() < 1.5 * CLOSE);
+        assert!(outcome.interference < 0.6 * guess, "{guess} {}", outcome.interference);
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! Finite strain changes friction by about the largest plastic strain (see
 //! [`crate::simulate::accuracy::modelling_error`]), so small strain is used only where that stays far
-//! below the accuracy. The strain to expect is that of the press and what the slide adds
+//! below the accuracy. Elastic strain changes friction by a share of σ_Y/E, which counts in polymers and ceramics beside an
+//! interface that is weaker than the body. The plastic strain to expect is that of the press and what the slide adds
 //! (`scene::fitted_constants::plastic_strain_of_slide`), by the ratio f of the largest shear traction of the interface
 //! to the shear strength of the body. At f = 1 on a yield plateau its length is added. Above f = 1, and at f = 1 where body
 //! and interface remain equally strong, the body may shear without limit.
@@ -13,12 +14,16 @@ use crate::interface::friction_law::{ContactPoint, shear_limit};
 use crate::loading::problem::Problem;
 use crate::material::SHEAR_RATIO;
 use crate::scene::Scene;
+use crate::scene::fitted_constants::elastic_strain::{FRICTION, LIGHT};
 use crate::scene::fitted_constants::plastic_strain_of_slide::{ADDED, EXPONENT};
 use crate::simulate::messages::StrainChoice;
 
 /// Plastic strain over the required accuracy up to which strain is taken to be small. At twice or four times this a
 /// table of 4340 steel takes 1.2 and 2.3 times as long, as the modelling error makes runs be repeated.
 const SMALL_SHARE: f64 = 0.05;
+
+/// Change of friction by elastic strain over the required accuracy up to which it joins the modelling error.
+const SMALL_ELASTIC_SHARE: f64 = 0.2;
 
 /// The choice for a scene with `kinematics = "auto"`, from the press on the coarse mesh at small strain.
 pub fn choose_strain(scene: &Scene, problem: &Problem, body: &Body, contact: &Contact) -> StrainChoice {
@@ -34,7 +39,22 @@ pub fn choose_strain(scene: &Scene, problem: &Problem, body: &Body, contact: &Co
     };
     let expected = body.committed.largest_plastic_strain() + added;
     let limit = SMALL_SHARE * scene.numerics.accuracy;
-    StrainChoice { finite: expected > limit, expected, limit }
+    let elastic = FRICTION * elastic_strain(scene, problem) * strength.min(1.0).powi(2);
+    let elastic_limit = SMALL_ELASTIC_SHARE * scene.numerics.accuracy;
+    StrainChoice {
+        finite: expected > limit || elastic > elastic_limit,
+        expected,
+        limit,
+        elastic,
+        elastic_limit,
+    }
+}
+
+/// σ_Y/E, less in a light contact: what the [changes by elastic strain](crate::scene::fitted_constants::elastic_strain) are in
+/// proportion to.
+pub fn elastic_strain(scene: &Scene, problem: &Problem) -> f64 {
+    let light = problem.interference / problem.critical_interference / LIGHT;
+    scene.material.yield_strength / scene.material.youngs_modulus * light.min(1.0).sqrt()
 }
 
 /// Whether the body may shear without limit under the interface: it has yielded, does not harden, and is no stronger

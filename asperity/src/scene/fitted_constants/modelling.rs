@@ -1,5 +1,26 @@
 //! Constants of the modelling errors, see `simulate::accuracy::modelling_error`.
 
+/// Effect of finite strain on an elastic contact in a slide, see `simulate::strain` and `simulate::accuracy::modelling_error`.
+///
+/// - Chosen: changes relative to the value, over σ_Y/E, for an interface of the share f of the strength of the body: of friction and
+///   area f², of `G` f to the power ENERGY_EXPONENT and in proportion to ω₀/ω_c; of the press as bounds. Below LIGHT ω_c
+///   they fall with the root of the interference, as strains do.
+/// - Data: σ_Y/E = 0.0017, 0.0068 and 0.023, V = 0, 14 elements, 8 angles. Friction and area 0.51 to 0.65 (f = 0.9, 0.3 and 0.8 ω_c), 0.18
+///   to 0.20 (f = 0.5), at 0.1 ω_c 0.9 to 1.4; static friction 0.25 to 0.41 (f = 0.5), 0.63 to 0.66 (f = 0.9); `G` 3.0 to 3.5 (f = 0.5, 0.8 ω_c), 0.8 to 1.4 (0.3 ω_c),
+///   at most 0.4 (f = 0.9); area of the press 0.06 to 0.14, its load 0 to 0.06; slip at inception 0.8 (f = 0.9), 0.3 (f = 0.5).
+/// - Repeated by: `asperity run --set model.kinematics=…`.
+pub(crate) mod elastic_strain {
+    pub const FRICTION: f64 = 0.65;
+    /// In addition.
+    pub const STATIC_FRICTION: f64 = 0.2;
+    pub const ENERGY: f64 = 0.75;
+    pub const ENERGY_EXPONENT: f64 = -2.5;
+    pub const AREA_OF_PRESS: f64 = 0.14;
+    pub const LOAD_OF_PRESS: f64 = 0.06;
+    pub const LIGHT: f64 = 0.1;
+    pub const WEAKEST: f64 = 0.3;
+}
+
 /// Modelling error where shear localises in the layer of elements under the interface, see
 /// `simulate::accuracy::modelling_error`: the body does not harden and is no stronger than the interface.
 ///

@@ -5,7 +5,7 @@ use tables::quantity::Quantity;
 
 use crate::heat::expected::HeatEffect;
 use crate::scene::fitted_constants::{
-    coupling_of_press, coupling_of_slide, hemisphere, localised_shear, smooth_flux,
+    coupling_of_press, coupling_of_slide, elastic_strain, hemisphere, localised_shear, smooth_flux,
 };
 
 /// Effects of a smooth flux into a counterface in place of temperatures that are equal at each point, see [`smooth_flux`].
@@ -40,6 +40,8 @@ pub struct ModellingError {
     pub shared_heat: Option<SharedHeat>,
     /// Largest plastic strain of a slide at small strain.
     pub strain: f64,
+    /// Elastic strain of a run at small strain.
+    pub elastic_strain: Option<ElasticStrain>,
     /// β² neglected in the press, see [`crate::loading::problem::PressFriction`].
     pub press_coupling: f64,
     /// Relative change of `G` by the neglected coupling of the press.
@@ -52,6 +54,40 @@ pub struct ModellingError {
     pub friction_exponent: f64,
     /// Bounds where shear localises in one layer of elements: values follow the mesh.
     pub localised_shear: Option<&'static localised_shear::Bounds>,
+}
+
+/// What the effect of finite strain on an elastic contact depends on.
+#[derive(Clone, Copy)]
+pub struct ElasticStrain {
+    /// σ_Y/E, less in a light contact.
+    pub strain: f64,
+    /// Largest mean shear traction of the slide over the shear strength.
+    pub traction: f64,
+    /// ω₀/ω_c.
+    pub interference: f64,
+}
+
+impl ElasticStrain {
+    /// Relative change of a quantity.
+    fn share(&self, quantity: Quantity) -> f64 {
+        use Quantity::*;
+        use elastic_strain::*;
+        let friction = FRICTION * self.traction.min(1.0).powi(2);
+        let over_strain = match quantity {
+            LoadPress => LOAD_OF_PRESS,
+            AreaPress => AREA_OF_PRESS,
+            ContactRadius => 0.5 * AREA_OF_PRESS,
+            Mu | MuPeak | MuMean | MuSteady | Friction | EnergyWeakening => friction,
+            MuStatic | FrictionStatic | InceptionSlip => friction + STATIC_FRICTION,
+            Load => LOAD_OF_PRESS,
+            Area => friction.max(AREA_OF_PRESS),
+            EnergyRelease => {
+                ENERGY * self.interference.min(1.0) * self.traction.clamp(WEAKEST, 1.0).powf(ENERGY_EXPONENT)
+            }
+            _ => 0.0,
+        };
+        over_strain * self.strain
+    }
 }
 
 /// Relative change of `G` by a neglected β² of the press, at the largest mean shear traction over the shear strength.
@@ -126,6 +162,7 @@ impl ModellingError {
             + press
             + slide
             + self.of_hemisphere(quantity)
+            + self.elastic_strain.map_or(0.0, |elastic| elastic.share(quantity))
             + shared
             + match quantity {
                 Mu | MuPeak | MuMean | MuSteady => softening + load + self.strain,
@@ -147,6 +184,40 @@ impl ModellingError {
 mod tests {
     use super::*;
     use tables::quantity::{COVERAGE_FACTOR, OF_BOUND};
+
+    /// Small less finite strain, in %, of contacts without plastic flow in the press: σ_Y/E, f, ω₀/ω_c, and friction, static
+    /// friction, area of the press, and G.
+    const ELASTIC: [(f64, f64, f64, [f64; 4]); 7] = [
+        (0.02345, 0.5, 0.3, [0.38, 0.49, 0.22, 1.94]),
+        (0.00680, 0.5, 0.3, [0.12, 0.17, 0.07, 0.61]),
+        (0.02345, 0.5, 0.8, [0.46, 0.75, 0.33, 8.18]),
+        (0.00680, 0.5, 0.8, [0.14, 0.28, 0.11, 2.07]),
+        (0.00170, 0.5, 0.8, [0.04, 0.06, 0.03, 0.50]),
+        (0.00680, 0.9, 0.3, [0.43, 0.43, 0.07, 0.05]),
+        (0.02345, 0.9, 0.8, [1.38, 1.55, 0.33, 0.71]),
+    ];
+
+    const ROUNDING: f64 = 0.005;
+
+    #[test]
+    fn changes_by_elastic_strain_are_of_the_size_of_the_measured_ones() {
+        use Quantity::*;
+        for (strain, traction, interference, measured) in ELASTIC {
+            let elastic = ElasticStrain { strain, traction, interference };
+            for (quantity, measured) in [Mu, MuStatic, AreaPress, EnergyRelease].into_iter().zip(measured) {
+                let share = 100.0 * elastic.share(quantity);
+                assert!(
+                    share > 0.75 * (measured - ROUNDING),
+                    "{quantity:?} {strain} {traction}: {share} {measured}"
+                );
+                let is_energy = quantity == EnergyRelease;
+                assert!(
+                    is_energy || share < 2.0 * (measured + ROUNDING),
+                    "{quantity:?} {strain} {traction}: {share} {measured}"
+                );
+            }
+        }
+    }
 
     /// β, load and area in full stick over those without friction: the ratios of `studies::verification::full_stick`, ν = 0 to
     /// 0.45 on a rigid flat. They depend on β alone. A press by one of them in place of another, or without friction, is off

@@ -110,6 +110,10 @@ pub struct StrainChoice {
     pub expected: f64,
     /// Up to which strain is taken to be small.
     pub limit: f64,
+    /// Relative change of friction by finite elastic strain.
+    pub elastic: f64,
+    /// Up to which it joins the errors.
+    pub elastic_limit: f64,
 }
 
 impl Note {
@@ -146,7 +150,7 @@ fn heat_in_words(choice: &HeatChoice, effect: &HeatEffect) -> String {
 
 impl Display for StrainChoice {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Self { finite, expected, limit } = *self;
+        let Self { finite, expected, limit, elastic, elastic_limit } = *self;
         match finite {
             true if expected.is_infinite() => {
                 write!(
@@ -154,6 +158,11 @@ impl Display for StrainChoice {
                     "finite strain: the interface is at least as strong as the body, which may shear far"
                 )
             }
+            true if elastic > elastic_limit => write!(
+                f,
+                "finite strain: elastic strain of this material changes mu by about {}",
+                digits(elastic, 2)
+            ),
             true => write!(
                 f,
                 "finite strain: a plastic strain of about {} is expected, above {}",
@@ -163,8 +172,9 @@ impl Display for StrainChoice {
             false => write!(
                 f,
                 "small strain: a plastic strain of no more than {} is expected; kinematics = \"finite\" \
-                 would change mu by about that share, which its error includes",
-                digits(expected, 3)
+                 would change mu by about that share, and by {} through elastic strain, which its error includes",
+                digits(expected, 3),
+                digits(elastic, 2)
             ),
         }
     }
