@@ -8,7 +8,7 @@ use super::low_rates::{self, RiseFactor};
 use super::nodes::{self, Absent, Errors, Nodes, OF_STRAIGHT, StateQuantity, Values, blend, rate_coordinate};
 use super::plastic_limit::AboveLastRow;
 use super::steffen::{self, Location, locate};
-use super::temperature_rise;
+use super::temperature_rise::RiseAxis;
 use crate::law::{LARGEST_CONTACT, covers};
 use crate::quantity::{COVERAGE_FACTOR, OF_BOUND};
 use crate::table::{Axes, Slice};
@@ -96,23 +96,23 @@ impl Interpolant {
             values[RISE] = first[RISE] * rate.t * low_rate.factor * values[FRICTION] / first[FRICTION];
         }
         let rise = |j: usize| Some(state(j).ok()?[RISE]);
-        if let Some((axis, place)) = self.rise_axis(rate, values[RISE], rise) {
+        if let Some(axis) = self.rise_axis(rate, values[RISE], rise) {
             for field in (0..values.len()).filter(|field| *field != RISE) {
-                (values[field], _) = temperature_rise::blend(&axis, place, |j| Ok(state(j)?[field]))?;
+                (values[field], _) = axis.blend((values[field], 0.0), |j| Ok(state(j)?[field]))?;
             }
         }
         Ok(values)
     }
 
-    /// Axis of the temperature rises at the slip rates, and the place of a `rise` on it; none where values are interpolated in ξ.
+    /// The place of a `rise` on the axis of the temperature rises; none where values are interpolated in ξ alone.
     pub(super) fn rise_axis(
         &self,
         rate: Location,
         rise: f64,
         of: impl Fn(usize) -> Option<f64>,
-    ) -> Option<(Vec<f64>, Location)> {
+    ) -> Option<RiseAxis> {
         let follows_heat = !self.sphere.has_rate_law();
-        follows_heat.then(|| temperature_rise::axis(rate, rise, &self.rate_coordinate, of))?
+        follows_heat.then(|| RiseAxis::new(rate, rise, &self.rate_coordinate, of))?
     }
 
     /// Relative error at a place inside the rows: that of the nodes, and that of a temperature rise at a low slip rate, unless those of

@@ -22,6 +22,7 @@
 //! [`AsperityLaw`]. Depends on `table`, `closed_forms` (the elastic limit) and `law`. Chapter "Tables" of the book.
 
 mod failed_cells;
+pub(crate) mod first_yield;
 mod hertz_limit;
 mod histories;
 mod interpolant;

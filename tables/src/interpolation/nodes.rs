@@ -18,7 +18,7 @@ use crate::table::{Slice, Status};
 pub(super) type Absent = (usize, usize);
 
 /// Error of the interpolation over that of the prediction of left-out points.
-const REFINEMENT: f64 = 0.5;
+pub(super) const REFINEMENT: f64 = 0.5;
 /// Distance of a parabola with zero slope at one end from the straight line, in the middle, over the difference of both ends.
 pub(super) const OF_PARABOLA: f64 = 0.25;
 /// Bound of the error of the cubic over its difference to linear interpolation, which is of second order, the cubic of
@@ -263,7 +263,7 @@ pub(super) fn rate_coordinate(slip_rates: &[f64], slip_rate: f64) -> f64 {
 }
 
 /// The points of an axis but one, and that one.
-fn without(axis: &[f64], own: usize) -> (Vec<f64>, f64) {
+pub(super) fn without(axis: &[f64], own: usize) -> (Vec<f64>, f64) {
     ([&axis[..own], &axis[own + 1..]].concat(), axis[own])
 }
 

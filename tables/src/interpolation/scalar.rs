@@ -1,10 +1,11 @@
 //! Scalars of a table between its points, below its first row and above its last.
 
+use super::first_yield;
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, HeatRatio, extrapolated};
 use super::interpolant::RowPosition;
-use super::nodes::{Absent, OF_PARABOLA, OF_STRAIGHT, blend_with_bend, ends};
+use super::nodes::{self, Absent, OF_PARABOLA, OF_STRAIGHT, REFINEMENT, blend_with_bend, ends};
 use super::steffen::Location;
-use super::temperature_rise::{self, blend_reciprocals};
+use super::temperature_rise::RiseAxis;
 use super::{Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
 use crate::quantity::{COVERAGE_FACTOR, ElasticLimit, OF_BOUND, Quantity};
@@ -107,14 +108,9 @@ impl InterpolatedTable {
         Some((rise, low_rate.bend * rise.abs()))
     }
 
-    /// Axis of the mean temperature rises of row `i` and the place of a slip rate on it, for what is not a temperature itself,
-    /// with the relative uncertainty of the rise at a low slip rate.
-    fn rise_axis_of_row(
-        &self,
-        quantity: Quantity,
-        i: usize,
-        rate: Location,
-    ) -> Option<(Vec<f64>, Location, f64)> {
+    /// The place of a slip rate on the axis of the mean temperature rises of row `i`, for what is not a temperature itself, with the
+    /// relative uncertainty of the rise at a low slip rate.
+    fn rise_axis_of_row(&self, quantity: Quantity, i: usize, rate: Location) -> Option<(RiseAxis, f64)> {
         const MEAN: Quantity = Quantity::TemperatureMean;
         if quantity.is_temperature() {
             return None;
@@ -128,8 +124,7 @@ impl InterpolatedTable {
                 (blend_with_bend(&self.interpolant.rate_coordinate, rate, known).ok()?.0, 0.0)
             }
         };
-        let (axis, place) = self.interpolant.rise_axis(rate, rise, of_rate)?;
-        Some((axis, place, bend / rise))
+        Some((self.interpolant.rise_axis(rate, rise, of_rate)?, bend / rise))
     }
 
     /// (value above `origin`, error) at the radius of the table and inside its rows.
@@ -158,17 +153,24 @@ impl InterpolatedTable {
             }
             let of_rate = |j| Ok(at(i, j)?.0);
             let unknown = if only_two > 0.0 { only_two * (of_rate(1)? - of_rate(0)?).abs() } else { 0.0 };
-            if let Some((axis, place, uncertainty)) = self.rise_axis_of_row(quantity, i, rate) {
-                let (value, bend) = match quantity.descriptor().elastic_limit {
-                    ElasticLimit::SlidingCoefficient => blend_reciprocals(&axis, place, of_rate)?,
-                    _ => temperature_rise::blend(&axis, place, of_rate)?,
+            let (mut value, mut bend) = blend_with_bend(rate_coordinate, rate, of_rate)?;
+            if let Some((axis, uncertainty)) = self.rise_axis_of_row(quantity, i, rate) {
+                (value, bend) = match quantity.descriptor().elastic_limit {
+                    ElasticLimit::SlidingCoefficient => axis.blend_reciprocals((value, bend), of_rate)?,
+                    _ => axis.blend((value, bend), of_rate)?,
                 };
-                return Ok((value, unknown.max(bend + uncertainty * (value - of_rate(0)?).abs())));
+                bend += uncertainty * (value - of_rate(0)?).abs();
             }
-            let (value, bend) = blend_with_bend(rate_coordinate, rate, of_rate)?;
             Ok((value, bend.max(unknown)))
         };
-        let (value, mut bends) = blend_with_bend(log_interference, place, |i| Ok(row(i)?.0))?;
+        let of_row = |i: usize| Ok(row(i)?.0);
+        let (value, bend) = blend_with_bend(log_interference, place, of_row)?;
+        let misfit = left_out(log_interference, place, of_row);
+        let of_kink = match quantity.descriptor().elastic_limit {
+            ElasticLimit::EnergyRelease => first_yield::kink(log_interference, place),
+            _ => 0.0,
+        };
+        let mut bends = bend.max(value.abs() * misfit.max(of_kink) / OF_STRAIGHT);
         let mut error = 0.0;
         for (i, share_i) in ends(place) {
             for (j, share_j) in ends(rate) {
@@ -180,6 +182,25 @@ impl InterpolatedTable {
         let interpolation = if included { 0.0 } else { COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * bends };
         Ok((value, error.hypot(interpolation)))
     }
+}
+
+/// Bound, relative to the value, of the error of interpolation between two points of an axis: that of the prediction of either by the
+/// others, for half of its interval. An interval shorter than the transition from elastic to plastic contact is smooth: there the
+/// error falls faster than the interval.
+fn left_out(axis: &[f64], place: Location, value: impl Fn(usize) -> Result<f64, Absent>) -> f64 {
+    let misfit = |own: usize| {
+        let (rest, at) = nodes::without(axis, own);
+        let place = super::steffen::locate(&rest, at);
+        let (predicted, _) = blend_with_bend(&rest, place, |n| value(n + usize::from(n >= own))).ok()?;
+        let misfit = (predicted / value(own).ok()? - 1.0).abs();
+        misfit.is_finite().then_some(misfit)
+    };
+    let inner = |own: &usize| (1..axis.len() - 1).contains(own);
+    const TRANSITION: f64 = 4.0;
+    let Location { index, t } = place;
+    let largest = ends(place).map(|(own, _)| own).filter(inner).filter_map(misfit).fold(0.0, f64::max);
+    let width = (axis[(index + 1).min(axis.len() - 1)] - axis[index]) / TRANSITION.ln();
+    REFINEMENT * largest * width.min(1.0) * 4.0 * t * (1.0 - t)
 }
 
 /// The first row, with `load` and `area` while it slides, and an interference below it.

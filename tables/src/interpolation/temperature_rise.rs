@@ -11,34 +11,77 @@ use super::ROUNDING;
 use super::nodes::{Absent, cubic, neighbours};
 use super::steffen::Location;
 
-/// Least exponent of V in a temperature rise. Where it is smaller the contact is close to melting: the rise hardly grows, and friction
-/// falls. Chosen by tables cut to five slip rates, which 0.35 serves better than 0.25 and 0.45.
-const LEAST_EXPONENT: f64 = 0.35;
+/// Exponents of V in a temperature rise between which its share as a coordinate grows from 0 to 1. Where the exponent is small the contact
+/// is close to melting: the rise hardly grows, and friction falls. Chosen by tables cut to five slip rates.
+const EXPONENTS: [f64; 2] = [0.25, 0.45];
 
-/// The temperature rises at the slip rates as an axis, and the place of `rise` on it, which lies between the same points as
-/// `rate`, with `coordinate` ξ of each slip rate. None on a point, and where the rises around it do not grow. `of` gives the
-/// rise at a slip rate, if it is known.
-pub(super) fn axis(
-    rate: Location,
-    rise: f64,
-    coordinate: &[f64],
-    of: impl Fn(usize) -> Option<f64>,
-) -> Option<(Vec<f64>, Location)> {
-    let Location { index, t } = rate;
-    if t <= ROUNDING || t >= 1.0 - ROUNDING {
-        return None;
-    }
-    let axis: Vec<f64> = (0..coordinate.len()).map(|j| of(j).unwrap_or(f64::NAN)).collect();
-    let least = (LEAST_EXPONENT * (coordinate[index + 1] - coordinate[index])).exp();
-    let around = &axis[index.saturating_sub(1)..(index + 3).min(axis.len())];
-    let grows = axis[index + 1] > least * axis[index]
-        && around.windows(2).all(|pair| pair[0].is_nan() || pair[1].is_nan() || pair[1] > pair[0]);
-    let share = (rise - axis[index]) / (axis[index + 1] - axis[index]);
-    (grows && (0.0..=1.0).contains(&share)).then_some((axis, Location { index, t: share }))
+/// The temperature rises at the slip rates, and a place among them.
+pub(super) struct RiseAxis {
+    rises: Vec<f64>,
+    place: Location,
+    /// Of the value that is interpolated in the rise; the rest is that in ξ. It is continuous at the points, as the slopes are then.
+    share: f64,
 }
 
-/// A number at a place on the axis, and its distance to a straight line.
-pub(super) fn blend(
+impl RiseAxis {
+    /// The place of `rise`, which lies between the same points as `rate`, with `coordinate` ξ of each slip rate. None on a
+    /// point, and where the rises around it do not grow. `of` gives the rise at a slip rate, if it is known.
+    pub(super) fn new(
+        rate: Location,
+        rise: f64,
+        coordinate: &[f64],
+        of: impl Fn(usize) -> Option<f64>,
+    ) -> Option<Self> {
+        let Location { index, t } = rate;
+        if t <= ROUNDING || t >= 1.0 - ROUNDING {
+            return None;
+        }
+        let rises: Vec<f64> = (0..coordinate.len()).map(|j| of(j).unwrap_or(f64::NAN)).collect();
+        let around = &rises[index.saturating_sub(1)..(index + 3).min(rises.len())];
+        let grows = around.windows(2).all(|pair| pair[0].is_nan() || pair[1].is_nan() || pair[1] > pair[0]);
+        let exponent = |j: usize| match rises.get(j..j + 2) {
+            Some([one, other]) => (other / one).ln() / (coordinate[j + 1] - coordinate[j]),
+            _ => f64::NAN,
+        };
+        let share_at = |j: usize| {
+            let largest = j.checked_sub(1).map_or(f64::NAN, exponent).max(exponent(j));
+            ((largest - EXPONENTS[0]) / (EXPONENTS[1] - EXPONENTS[0])).clamp(0.0, 1.0)
+        };
+        let share = (1.0 - t) * share_at(index) + t * share_at(index + 1);
+        let t = (rise - rises[index]) / (rises[index + 1] - rises[index]);
+        let is_inside = (0.0..=1.0).contains(&t);
+        (grows && is_inside && share > 0.0).then_some(Self { rises, place: Location { index, t }, share })
+    }
+
+    /// A number there, and its distance to a straight line, from those in ξ.
+    pub(super) fn blend(
+        &self,
+        of_rate: (f64, f64),
+        value: impl Fn(usize) -> Result<f64, Absent>,
+    ) -> Result<(f64, f64), Absent> {
+        let of_rise = blend(&self.rises, self.place, value)?;
+        Ok(self.shared(of_rise, of_rate))
+    }
+
+    /// As [`blend`](Self::blend), of the reciprocals of positive numbers.
+    pub(super) fn blend_reciprocals(
+        &self,
+        of_rate: (f64, f64),
+        value: impl Fn(usize) -> Result<f64, Absent>,
+    ) -> Result<(f64, f64), Absent> {
+        let (reciprocal, bend) = blend(&self.rises, self.place, |j| Ok(value(j)?.recip()))?;
+        let found = reciprocal.recip();
+        Ok(self.shared((found, bend * found * found), of_rate))
+    }
+
+    fn shared(&self, of_rise: (f64, f64), of_rate: (f64, f64)) -> (f64, f64) {
+        let mean = |one: f64, other: f64| self.share * one + (1.0 - self.share) * other;
+        (mean(of_rise.0, of_rate.0), mean(of_rise.1, of_rate.1))
+    }
+}
+
+/// A number at a place on an axis, and its distance to a straight line.
+fn blend(
     axis: &[f64],
     Location { index, t }: Location,
     value: impl Fn(usize) -> Result<f64, Absent>,
@@ -50,50 +93,46 @@ pub(super) fn blend(
     Ok((found, (found - (1.0 - t) * inner[0] - t * inner[1]).abs()))
 }
 
-/// As [`blend`], of the reciprocals of positive numbers.
-pub(super) fn blend_reciprocals(
-    axis: &[f64],
-    place: Location,
-    value: impl Fn(usize) -> Result<f64, Absent>,
-) -> Result<(f64, f64), Absent> {
-    let (reciprocal, bend) = blend(axis, place, |j| Ok(value(j)?.recip()))?;
-    let found = reciprocal.recip();
-    Ok((found, bend * found * found))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Rises at rest and at three slip rates, the last of which grow with the exponents 0.5 and 0.2 of V.
+    /// ξ of rest and of three slip rates, after which the rise grows with the exponents 0.5 and 0.2 of V.
     const COORDINATE: [f64; 4] = [0.0, 1.0, 3.0, 5.0];
 
     fn rises() -> [f64; 4] {
         [0.0, 10.0, 10.0 * 1f64.exp(), 10.0 * 1.4f64.exp()]
     }
 
-    #[test]
-    fn what_is_linear_in_the_rise_comes_back() {
+    fn axis(index: usize, t: f64, rise: f64) -> Option<RiseAxis> {
         let rises = rises();
-        for (index, rise) in [(0, 2.0), (1, 17.0)] {
-            let rate = Location { index, t: 0.5 };
-            let (axis, place) = axis(rate, rise, &COORDINATE, |j| Some(rises[j])).unwrap();
-            let load = |rise: f64| 3.0 + 0.1 * rise;
-            let (found, bend) = blend(&axis, place, |j| Ok(load(rises[j]))).unwrap();
-            assert!((found / load(rise) - 1.0).abs() < 1e-12 && bend < 1e-12, "{found} {bend}");
-            let coefficient = |j: usize| Ok(2.0 / load(rises[j]));
-            let (found, bend) = blend_reciprocals(&axis, place, coefficient).unwrap();
-            assert!((found * load(rise) / 2.0 - 1.0).abs() < 1e-12 && bend < 1e-12, "{found} {bend}");
-        }
+        RiseAxis::new(Location { index, t }, rise, &COORDINATE, |j| Some(rises[j]))
     }
 
     #[test]
-    fn there_is_no_axis_where_the_rise_hardly_grows_or_is_outside() {
-        let rises = rises();
-        let of = |index: usize, t: f64, rise: f64| {
-            axis(Location { index, t }, rise, &COORDINATE, |j| Some(rises[j])).is_some()
-        };
-        assert!(of(1, 0.5, 17.0) && !of(2, 0.5, 34.0), "exponents 0.5 and 0.2");
-        assert!(!of(1, 0.0, 10.0) && !of(1, 0.5, 9.0), "a point, and a rise below it");
+    fn what_is_linear_in_the_rise_comes_back() {
+        let (rises, no_share) = (rises(), (f64::NAN, f64::NAN));
+        for (index, rise) in [(0, 2.0), (1, 17.0)] {
+            let axis = axis(index, 0.5, rise).unwrap();
+            assert_eq!(axis.share, 1.0);
+            let axis = RiseAxis { share: 1.0, ..axis };
+            let load = |rise: f64| 3.0 + 0.1 * rise;
+            let (found, bend) = blend(&axis.rises, axis.place, |j| Ok(load(rises[j]))).unwrap();
+            assert!((found / load(rise) - 1.0).abs() < 1e-12 && bend < 1e-12, "{found} {bend}");
+            let of_rate = (5.0, 0.0);
+            let (found, bend) = axis.blend_reciprocals(of_rate, |j| Ok(2.0 / load(rises[j]))).unwrap();
+            assert!((found * load(rise) / 2.0 - 1.0).abs() < 1e-12 && bend < 1e-12, "{found} {bend}");
+            assert!(axis.blend(no_share, |j| Ok(load(rises[j]))).unwrap().0.is_nan(), "both are asked for");
+        }
+    }
+
+    /// Its share is 1 up to the point after which the exponent is 0.2, and falls to 0 at the next.
+    #[test]
+    fn the_rise_is_no_coordinate_where_it_hardly_grows() {
+        let share = |index: usize, t: f64, rise: f64| axis(index, t, rise).map(|axis| axis.share);
+        assert_eq!(share(1, 0.9, 25.0), Some(1.0));
+        assert!((share(2, 0.25, 30.0).unwrap() - 0.75).abs() < 1e-12);
+        assert_eq!(share(1, 0.0, 10.0), None, "a point");
+        assert_eq!(share(1, 0.5, 9.0), None, "a rise below the interval");
     }
 }

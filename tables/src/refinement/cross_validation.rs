@@ -6,6 +6,7 @@
 //! taken to be smaller in proportion, as it is at a kink. Where the data are smooth the
 //! interpolation is of third order, and this an upper estimate.
 
+use crate::interpolation::first_yield::largest_kink;
 use crate::interpolation::{InterpolatedTable, coordinates};
 use crate::quantity::Quantity;
 use crate::table::{Axes, Slice};
@@ -133,6 +134,11 @@ impl CrossValidation {
             if let Some(misfit) = self.misfit(along, point, across, quantity) {
                 error = error.max(misfit * width / (x[point + 1] - x[point - 1]));
             }
+        }
+        let is_energy = (along, quantity) == (Along::Interference, Quantity::EnergyRelease);
+        let is_known = |values: &[Option<f64>; Quantity::SCALARS.len()]| values[quantity as usize].is_some();
+        if is_energy && misfits.points.iter().any(is_known) {
+            error = error.max(largest_kink(x[index], x[index + 1]));
         }
         error
     }

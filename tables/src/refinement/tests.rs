@@ -8,14 +8,15 @@ const RADIUS: f64 = 1e-3;
 const TEMPERATURE: f64 = 298.0;
 
 /// μ, μ_s, Q and G of a law with what real ones have: power laws at both ends, a change of regime
-/// about first yield, weakening above a slip rate that falls with the contact radius.
+/// about first yield, where G has a kink, weakening above a slip rate that falls with the contact radius.
 fn law(omega: f64, rate: f64) -> [f64; 4] {
     let plastic = omega.powi(2) / (1.0 + omega.powi(2));
     let load = omega.powf(1.5) / (1.0 + 0.4 * plastic * omega.powf(0.3));
     let still = 0.54 / omega.sqrt() * (1.0 - plastic) + (0.2 + 0.1 / omega.sqrt()) * plastic;
     let weakening = 1.0 / (1.0 + (rate * omega.sqrt() / 30.0).powi(2)).powf(0.3);
     let mu = 0.98 * still * weakening;
-    [mu, still, mu * load, 4.0 * omega.powf(1.1)]
+    let exponent = if omega < 0.9 { 1.1 } else { 0.7 };
+    [mu, still, mu * load, 4.0 * (omega / 0.9).powf(exponent)]
 }
 
 /// Fills every point that is not run, without error of its own.
@@ -73,7 +74,7 @@ fn refined(tolerance: f64, most_cells: usize) -> (Slice, usize) {
     (table, runs)
 }
 
-/// Largest relative error between the points, on a fine grid that is independent of the points of the table, and
+/// Largest relative error between the points, over what is allowed for the quantity, on a fine grid that is independent of the points of the table, and
 /// the coverage: the share of values whose error estimate covers the true error.
 fn actual(slice: &Slice) -> (f64, f64) {
     let table = slice.clone().interpolated();
@@ -83,7 +84,7 @@ fn actual(slice: &Slice) -> (f64, f64) {
             for (quantity, truth) in JUDGED.into_iter().zip(law(omega, rate)) {
                 let estimate = table.estimate(quantity, RADIUS, omega, rate).unwrap();
                 let error = (estimate.value / truth - 1.0).abs();
-                worst = worst.max(error);
+                worst = worst.max(error / quantity.allowance());
                 asked += 1;
                 covered += usize::from(error * truth <= estimate.error + 1e-9 * truth);
             }
@@ -131,7 +132,8 @@ fn errors_cover_what_interpolation_does() {
             largest = largest.max(estimate.error / estimate.value);
         }
     }
-    assert!(largest > 0.002 && largest <= 0.04, "{largest}");
+    // That of G is 2.5 times that of the others.
+    assert!(largest > 0.002 && largest <= 2.5 * 0.02, "{largest}");
     assert_eq!(table.metadata().interpolation_tolerance, Some(0.02));
 }
 
@@ -141,7 +143,8 @@ fn power_laws_need_no_more_points() {
     for (i, j) in table.missing() {
         let (omega, rate) = table.coordinates(i, j);
         let mut cell = Cell::new().with(Quantity::ContactRadius, 1e-5, 0.0);
-        for quantity in JUDGED {
+        // G is expected to have a kink.
+        for quantity in JUDGED.into_iter().filter(|quantity| *quantity != Quantity::EnergyRelease) {
             let value = 3.0 * omega.powf(0.7) * rate.powf(-0.2);
             cell = cell.with(quantity, value, 0.03 * value);
         }
