@@ -1,6 +1,6 @@
 //! Limit of the shear traction τ_c by the friction laws of a scene.
 
-use crate::scene::FrictionLaw;
+use crate::scene::{FrictionLaw, ShearLimit};
 
 /// Arguments of a friction law at a contact point; tractions in units of `unit`.
 #[derive(Clone, Copy, Debug)]
@@ -17,23 +17,14 @@ pub(crate) struct ContactPoint {
     pub unit: f64,
 }
 
-/// τ_c per area of the point; a contact point slips where its shear traction reaches it.
+/// τ_c per area of the point; a contact point slips where its shear traction reaches it. Without a limit it is infinite.
 pub(crate) fn shear_limit(law: &FrictionLaw, at: &ContactPoint) -> f64 {
-    let strength = at.contact_fraction * at.strength;
-    let capped = |limit: f64, cap: bool| if cap { limit.min(strength) } else { limit };
-    match law {
-        FrictionLaw::ShearStrength => strength,
-        FrictionLaw::Coulomb { friction, cap } => capped(friction * at.pressure, *cap),
-        FrictionLaw::BriscoeTabor { film_strength, pressure_coefficient, cap, .. } => {
-            let film = at.contact_fraction * film_strength / at.unit;
-            capped(
-                law.film_softening().factor(at.temperature) * (film + pressure_coefficient * at.pressure),
-                *cap,
-            )
-        }
-        FrictionLaw::FullStick => f64::INFINITY,
-        FrictionLaw::Frictionless => 0.0,
-    }
+    let ShearLimit { film, capped } = law.limit();
+    let of_film = film.map_or(f64::INFINITY, |film| {
+        let strength = at.contact_fraction * film.strength / at.unit;
+        film.softening.factor(at.temperature) * (strength + film.coefficient * at.pressure)
+    });
+    if capped { of_film.min(at.contact_fraction * at.strength) } else { of_film }
 }
 
 #[cfg(test)]

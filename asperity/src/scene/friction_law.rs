@@ -1,7 +1,7 @@
 //! Laws of the tangential traction on the contact, as data.
 //!
-//! To add a law: its variant here, with the properties below, and its limit of the shear traction
-//! (`interface/friction_law.rs`), which the compiler requires; its keys, tests and pages are listed in CONTRIBUTING.md.
+//! To add a law: its variant and its limit here, which the compiler requires; all properties follow from the limit. Its keys,
+//! tests and pages are listed in CONTRIBUTING.md.
 
 use serde::{Deserialize, Serialize};
 
@@ -48,72 +48,95 @@ fn capped() -> bool {
     true
 }
 
+/// Limit of the shear traction: that of a film, the strength of the material, the smaller of both, or none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ShearLimit<'a> {
+    pub film: Option<Film<'a>>,
+    /// Whether the shear strength f_τ σ/√3 of the material is an upper limit.
+    pub capped: bool,
+}
+
+/// Limit (τ_0 + αp) factor(T).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Film<'a> {
+    /// τ_0, Pa.
+    pub strength: f64,
+    /// α.
+    pub coefficient: f64,
+    /// factor(T).
+    pub softening: &'a Softening,
+}
+
+impl<'a> Film<'a> {
+    /// αp, at all temperatures.
+    const fn of_pressure(coefficient: f64) -> Self {
+        Film { strength: 0.0, coefficient, softening: &Softening::None }
+    }
+}
+
+/// Change of the interface that lets a light contact slide.
+pub(crate) const REMEDY_OF_LIGHT_CONTACT: &str = "the law \"coulomb\", a smaller strength_factor or, with the law \"briscoe-tabor\", a smaller film_strength";
+
 impl FrictionLaw {
-    /// Whether friction heats the contact no further than to the temperature at which the material has no strength.
-    pub(crate) fn heating_ends_at_melting(&self) -> bool {
-        match *self {
-            Self::Coulomb { .. } | Self::BriscoeTabor { .. } => self.has_cap(),
-            Self::ShearStrength | Self::FullStick | Self::Frictionless => true,
-        }
-    }
-
-    /// Whether the shear strength f_τ σ/√3 of the material limits the shear traction.
-    pub(crate) fn has_strength_limit(&self) -> bool {
-        match *self {
-            Self::ShearStrength => true,
-            Self::Coulomb { .. } | Self::BriscoeTabor { .. } => self.has_cap(),
-            Self::FullStick | Self::Frictionless => false,
-        }
-    }
-
-    /// Whether the limit of the shear traction is a law in the pressure, τ_0 + αp.
-    pub(crate) fn depends_on_pressure(&self) -> bool {
-        match self {
-            Self::Coulomb { .. } | Self::BriscoeTabor { .. } => true,
-            Self::ShearStrength | Self::FullStick | Self::Frictionless => false,
-        }
-    }
-
-    /// Whether another law has the strength of the material as its upper limit.
-    pub(crate) fn has_cap(&self) -> bool {
-        match *self {
-            Self::Coulomb { cap, .. } | Self::BriscoeTabor { cap, .. } => cap,
-            Self::ShearStrength | Self::FullStick | Self::Frictionless => false,
-        }
-    }
-
-    /// τ_0 (Pa) and α of a limit τ_0 + αp at `temperature`, K.
-    pub(crate) fn film(&self, temperature: f64) -> Option<(f64, f64)> {
-        match *self {
-            _ if !self.has_friction() => None,
-            Self::Coulomb { friction, .. } => Some((0.0, friction)),
-            Self::BriscoeTabor { film_strength, pressure_coefficient, .. } => {
-                let factor = self.film_softening().factor(temperature);
-                Some((factor * film_strength, factor * pressure_coefficient))
+    /// The limit of the shear traction, from which the other properties follow.
+    pub(crate) fn limit(&self) -> ShearLimit<'_> {
+        let (film, capped) = match *self {
+            Self::ShearStrength => (None, true),
+            Self::Coulomb { friction, cap } => (Some(Film::of_pressure(friction)), cap),
+            Self::BriscoeTabor { film_strength, pressure_coefficient, ref film_softening, cap } => {
+                let (strength, coefficient) = (film_strength, pressure_coefficient);
+                (Some(Film { strength, coefficient, softening: film_softening }), cap)
             }
-            Self::ShearStrength | Self::FullStick | Self::Frictionless => None,
-        }
-    }
-
-    /// Softening of a film; none of other laws.
-    pub(crate) fn film_softening(&self) -> &Softening {
-        match self {
-            Self::BriscoeTabor { film_softening, .. } => film_softening,
-            Self::ShearStrength | Self::Coulomb { .. } | Self::FullStick | Self::Frictionless => {
-                &Softening::None
-            }
-        }
+            Self::FullStick => (None, false),
+            Self::Frictionless => (Some(Film::of_pressure(0.0)), false),
+        };
+        ShearLimit { film, capped }
     }
 
     /// Whether there is any friction.
     pub(crate) fn has_friction(&self) -> bool {
-        match *self {
-            Self::Frictionless => false,
-            Self::Coulomb { friction, .. } => friction > 0.0,
-            Self::BriscoeTabor { film_strength, pressure_coefficient, .. } => {
-                film_strength > 0.0 || pressure_coefficient > 0.0
+        self.limit().film.is_none_or(|film| film.strength > 0.0 || film.coefficient > 0.0)
+    }
+
+    /// Whether the strength of the material is the only limit of the shear traction.
+    pub(crate) fn is_strength(&self) -> bool {
+        self.limit() == ShearLimit { film: None, capped: true }
+    }
+
+    /// Whether the limit of the shear traction is a law in the pressure, τ_0 + αp, whatever its parameters are.
+    pub(crate) fn depends_on_pressure(&self) -> bool {
+        self.limit().film.is_some() && *self != Self::Frictionless
+    }
+
+    /// Whether friction heats the contact no further than to the temperature at which the material has no strength.
+    pub(crate) fn heating_ends_at_melting(&self) -> bool {
+        self.limit().capped || !self.depends_on_pressure()
+    }
+
+    /// τ_0 (Pa) and α of a film at `temperature`, K; none without friction.
+    pub(crate) fn film(&self, temperature: f64) -> Option<(f64, f64)> {
+        let Film { strength, coefficient, softening } = self.limit().film.filter(|_| self.has_friction())?;
+        let factor = softening.factor(temperature);
+        Some((factor * strength, factor * coefficient))
+    }
+
+    /// Softening of a film; none of other laws.
+    pub(crate) fn film_softening(&self) -> &Softening {
+        self.limit().film.map_or(&Softening::None, |film| film.softening)
+    }
+
+    /// Change of the interface after which it is weaker than the body.
+    pub(crate) fn remedy_of_strong_interface(&self) -> &'static str {
+        match self.limit() {
+            ShearLimit { capped: true, .. } => {
+                "a smaller interface.strength_factor, 0.9 of the present one or less, or material.hardening"
             }
-            Self::ShearStrength | Self::FullStick => true,
+            ShearLimit { film: Some(_), .. } => {
+                "interface.cap = true, which limits friction to the strength of the metal, or a smaller friction or film_strength"
+            }
+            ShearLimit { film: None, .. } => {
+                "law = \"shear-strength\" with strength_factor = 0.9; with law = \"full-stick\" a shorter slip_distance"
+            }
         }
     }
 }
@@ -140,6 +163,23 @@ mod tests {
             (film(0.0, 0.1), true),
         ] {
             assert_eq!(law.has_friction(), friction, "{law:?}");
+        }
+    }
+
+    /// Whether the strength of the material is the only limit, the limit is a law in the pressure, and heating ends at melting.
+    #[test]
+    fn properties_follow_from_the_limit() {
+        let coulomb = |friction, cap| FrictionLaw::Coulomb { friction, cap };
+        for (law, expected) in [
+            (FrictionLaw::ShearStrength, [true, false, true]),
+            (coulomb(0.3, true), [false, true, true]),
+            (coulomb(0.3, false), [false, true, false]),
+            (coulomb(0.0, false), [false, true, false]),
+            (FrictionLaw::FullStick, [false, false, true]),
+            (FrictionLaw::Frictionless, [false, false, true]),
+        ] {
+            let found = [law.is_strength(), law.depends_on_pressure(), law.heating_ends_at_melting()];
+            assert_eq!(found, expected, "{law:?}");
         }
     }
 

@@ -22,6 +22,7 @@ use tables::closed_forms::hertz::yield_coefficient;
 
 pub use counterface::Counterface;
 pub use friction_law::FrictionLaw;
+pub(crate) use friction_law::{REMEDY_OF_LIGHT_CONTACT, ShearLimit};
 pub use loading::{Control, Loading, LoadingStep};
 pub use material::{
     FractureData, Hardening, Material, Rate, Softening, TemperatureDependence, TemperatureTable,
@@ -187,7 +188,7 @@ impl Scene {
         let Some((film, coefficient)) = law.film(self.loading.temperature) else { return of_metal };
         let elastic = yield_coefficient(self.material.poisson_ratio) * self.loading.interference.sqrt();
         let limit = film + coefficient * elastic.min(HARDNESS) * self.material.yield_strength;
-        if law.has_cap() { limit.min(of_metal) } else { limit }
+        if law.limit().capped { limit.min(of_metal) } else { limit }
     }
 
     /// The scene with body and flat at another initial temperature, K: yield strength and hardening

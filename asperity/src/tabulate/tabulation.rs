@@ -149,7 +149,7 @@ impl Tabulation {
         };
         let body = material.elastic_plastic();
         let law = &interface.law;
-        let has_strength = law.has_strength_limit() && law.has_friction();
+        let has_strength = law.limit().capped && law.has_friction();
         let film = law.film(scene.loading.temperature);
         Metadata {
             title: self.title(),

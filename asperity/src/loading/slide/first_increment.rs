@@ -44,8 +44,8 @@ impl Slide<'_> {
 
     /// Mean τ₀ of Coulomb's law and of films under the present pressure, which may be far below the strength of the metal.
     fn mean_film_limit(&self) -> Option<f64> {
+        self.problem.law.limit().film?;
         let contact = &self.mechanics.contact;
-        self.problem.law.film(self.problem.units.temperature)?;
         let limits = shear_limits(self.problem, contact, &vec![1.0; contact.len()], None);
         Some(contact.mean_limit(&limits)).filter(|limit| *limit > 0.0)
     }

@@ -22,9 +22,9 @@ use crate::interface::contact::FlatPosition;
 use crate::loading::problem::Problem;
 use crate::loading::recording::Recorder;
 use crate::loading::state::SlideState;
-use crate::scene::{Control, FrictionLaw};
+use crate::scene::{Control, REMEDY_OF_LIGHT_CONTACT};
 use crate::solver::StopRequest;
-use crate::solver::newton::{LoadingControl, Mechanics, StepFailure, WEAKER_INTERFACE};
+use crate::solver::newton::{LoadingControl, Mechanics, StepFailure};
 use coupling::Equilibrium;
 use friction_heat::HeatSources;
 use increments::Predictor;
@@ -61,7 +61,7 @@ pub enum SlideFailure {
     Impossible(#[from] Violation),
     #[error(
         "{failures} times an increment failed after one that was taken: there may be no continuous sequence of \
-         states, as where a light contact sticks and lifts off in turn; {WEAKER_INTERFACE} may have one. The last failure: {last}"
+         states, as where a light contact sticks and lifts off in turn; {REMEDY_OF_LIGHT_CONTACT} may have one. The last failure: {last}"
     )]
     Discontinuous { failures: usize, last: Box<SlideFailure> },
     #[error("stopped on request")]
@@ -294,15 +294,7 @@ impl<'a> Slide<'a> {
     }
 
     fn shears_in_stick(&self, strain: f64, stick_fraction: f64) -> SlideFailure {
-        let remedy = match self.problem.law {
-            FrictionLaw::FullStick => {
-                "law = \"shear-strength\" with strength_factor = 0.9; with law = \"full-stick\" a shorter slip_distance"
-            }
-            FrictionLaw::Coulomb { cap: false, .. } | FrictionLaw::BriscoeTabor { cap: false, .. } => {
-                "interface.cap = true, which limits friction to the strength of the metal, or a smaller friction or film_strength"
-            }
-            _ => "a smaller interface.strength_factor, 0.9 of the present one or less, or material.hardening",
-        };
+        let remedy = self.problem.law.remedy_of_strong_interface();
         SlideFailure::Distorted { strain, stick_fraction, remedy }
     }
 

@@ -183,7 +183,7 @@ impl Scene {
     fn without_effect(&self) -> Vec<String> {
         let Interface { ref law, strength_factor, heat_partition, .. } = self.interface;
         let default = Interface::default();
-        let unlimited = !law.has_strength_limit();
+        let unlimited = !law.limit().capped;
         let strength = (unlimited && strength_factor != default.strength_factor).then(|| {
             format!(
                 "interface.strength_factor = {strength_factor} has no effect: the strength of the material does not limit \
@@ -208,7 +208,7 @@ impl Scene {
     fn equal_strength(&self) -> Option<String> {
         let perfect = self.material.hardening.plateau() == f64::INFINITY;
         let law = &self.interface.law;
-        let weaker = match law.has_cap() || law.film(self.loading.temperature).is_none() {
+        let weaker = match law.limit().capped || law.film(self.loading.temperature).is_none() {
             true => "[interface] strength_factor below 1",
             false => "an interface weaker than the material",
         };

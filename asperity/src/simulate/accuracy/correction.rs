@@ -25,7 +25,7 @@ fn mean_errors(
 ) -> &'static [(MeanError, f64)] {
     use Quantity::*;
     let is_full_slip = inception == InceptionCriterion::FullSlip;
-    let is_strength = *law == FrictionLaw::ShearStrength;
+    let is_strength = law.is_strength();
     match quantity {
         EnergyRelease if is_full_slip => &[(ENERGY, 1.0)],
         InceptionSlip if is_full_slip => &[(INCEPTION_SLIP, 1.0)],
@@ -52,7 +52,7 @@ fn mean_error_at_high_peclet_number(
         Quantity::MuStatic | Quantity::FrictionStatic => STATIC_FRICTION,
         _ => return None,
     };
-    (inception == InceptionCriterion::FullSlip && *law == FrictionLaw::ShearStrength).then_some(error)
+    (inception == InceptionCriterion::FullSlip && law.is_strength()).then_some(error)
 }
 
 /// Whether the values of a quantity are corrected.

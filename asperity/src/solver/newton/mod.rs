@@ -9,6 +9,7 @@ use std::time::Instant;
 use crate::discretisation::body::Body;
 use crate::interface::contact::{Contact, FlatPosition};
 use crate::material::lanes::dot;
+use crate::scene::REMEDY_OF_LIGHT_CONTACT;
 use crate::solver::StopRequest;
 use crate::solver::harmonic::HarmonicFactors;
 use crate::solver::preconditioner::Preconditioner;
@@ -39,9 +40,6 @@ const FORCING: f64 = 3e-3;
 const COUPLED_FORCING: f64 = 0.05;
 const LARGEST_FORCING: f64 = 0.1;
 
-/// Remedy that lets a light contact slide.
-pub const WEAKER_INTERFACE: &str = "the law \"coulomb\", a smaller strength_factor or, with the law \"briscoe-tabor\", a smaller film_strength";
-
 /// Why a step was not solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StepFailure {
@@ -62,7 +60,7 @@ pub enum StepFailure {
     #[error(
         "points of the contact with {:.0} % of its friction neither touch nor lift off: the shear strength \
          of the interface, which does not fall with the pressure, lifts the surface off the flat where it \
-         touches. A contact under so small a load has no equilibrium without adhesion; {WEAKER_INTERFACE} \
+         touches. A contact under so small a load has no equilibrium without adhesion; {REMEDY_OF_LIGHT_CONTACT} \
          has one",
         100.0 * .share
     )]
