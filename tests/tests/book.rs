@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use asperity::scene::file::{key_names, parse_request, parse_scene};
+use asperity::scene::file::{key_names, law_names, parse_request, parse_scene};
 use roughsurface::surface::file::SurfaceFile;
 use roughsurface::surface::heights::DISTRIBUTIONS;
 use tables::numbers::plain;
@@ -181,7 +181,8 @@ fn input_files_are_valid() {
 fn keys_are_documented() {
     let (text, requests) = (chapter("files/scene.md"), chapter("files/request.md"));
     let mut wanted: BTreeSet<&str> = key_names();
-    wanted.extend(["shear-strength", "coulomb", "briscoe-tabor", "full-stick", "frictionless"]);
+    let laws = law_names();
+    wanted.extend(laws.iter().map(String::as_str));
     // Keys of [table] are described with the requests.
     let missing: Vec<&&str> = (wanted.iter())
         .filter(|key| !text.contains(**key) && !requests.contains(&format!("`{key}`")))

@@ -171,7 +171,7 @@ and `plot` need it:
 
 #[cfg(test)]
 mod tests {
-    use asperity::scene::file::{parse_request, parse_scene, write_scene};
+    use asperity::scene::file::{law_names, parse_request, parse_scene, write_scene};
 
     /// The indented lines from the first section on.
     fn file(help: &str) -> String {
@@ -190,5 +190,12 @@ mod tests {
             parse_request(&file(super::TABULATE), "help", &[]).unwrap().interferences,
             [0.1, 1.0, 10.0, 100.0]
         );
+    }
+
+    #[test]
+    fn every_law_of_a_scene_is_named() {
+        let missing: Vec<String> =
+            law_names().into_iter().filter(|law| !super::RUN.contains(law.as_str())).collect();
+        assert!(missing.is_empty(), "{missing:?}");
     }
 }

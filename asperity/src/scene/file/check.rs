@@ -4,21 +4,18 @@ use tables::quantity::hint;
 use toml::{Table, Value};
 
 use super::error::SceneFileError;
-use super::keys::{Key, Kind, NOT_NEGATIVE, Order, key};
+use super::keys::{Key, Kind, NOT_NEGATIVE, Order, find, key};
 use super::source::{Source, join};
 use super::synonyms::meant;
 
-/// Laws that have no keys of their own.
-const WITHOUT_KEYS: [&str; 4] = ["none", "shear-strength", "full-stick", "frictionless"];
-
 /// Whether all keys of the section at `path` are among `keys`, taken by its law, and within their ranges.
 pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result<(), SceneFileError> {
-    // Of an unknown law serde says so, not that a key is unknown or belongs to another.
-    let known = |law: &str| WITHOUT_KEYS.contains(&law) || keys.iter().any(|key| key.laws.contains(&law));
-    let law = table.get("law").and_then(Value::as_str).filter(|_| keys.iter().any(|key| key.name == "law"));
-    if law.is_some_and(|law| !known(law)) {
-        return Ok(());
-    }
+    let law = match (find(keys, "law"), table.get("law").and_then(Value::as_str)) {
+        // Of an unknown law serde says so, not that a key is unknown or belongs to another.
+        (Some(Kind::Law(laws)), Some(law)) if !laws().iter().any(|known| known == law) => return Ok(()),
+        (Some(_), law) => law,
+        (None, _) => None,
+    };
     for name in table.keys() {
         if !keys.iter().any(|key| key.name == name) {
             let known: Vec<&str> = keys.iter().map(|key| key.name).collect();
@@ -94,7 +91,7 @@ fn check_value(path: &str, value: &Value, kind: Kind, source: &Source) -> Result
             count.is_some_and(|count| (from..=to).contains(&count) && count % step == 0)
         }
         (Kind::Flag, value) => value.is_bool(),
-        (Kind::Name, _) => true,
+        (Kind::Name | Kind::Law(_), _) => true,
         (Kind::Section(_) | Kind::Sections(_) | Kind::List(..), _) => false,
     };
     match good {

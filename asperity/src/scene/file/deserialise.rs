@@ -6,7 +6,7 @@ use toml::{Table, Value};
 
 use super::check::check;
 use super::error::SceneFileError;
-use super::keys::{Key, Kind, find};
+use super::keys::{Key, Kind, choices, find, one_of};
 use super::load::{INTERFERENCE, LOAD};
 use super::source::{Source, join};
 use crate::scene::presets;
@@ -63,15 +63,14 @@ fn explain<T: DeserializeOwned>(
         Some(Value::Table(_)) | None => join(inner, "law"),
         Some(_) => inner.to_owned(),
     };
-    let inner = match message.starts_with("unknown variant") {
-        true => law_called(quoted[0], table, inner),
-        false => inner,
+    let (inner, allowed) = match choices(message) {
+        Some(names) => (law_called(quoted[0], table, inner), one_of(&names)),
+        None => {
+            let allowed = allowed::<T>(&inner, table, keys);
+            (inner, allowed)
+        }
     };
     let value = value_at(table, &inner).map_or(String::new(), Value::to_string);
-    let allowed = match message.starts_with("unknown variant") {
-        true => one_of(&quoted[1..]),
-        false => allowed::<T>(&inner, table, keys),
-    };
     source.invalid(&join(path, &inner), value, allowed)
 }
 
@@ -104,11 +103,6 @@ fn law_called(name: &str, table: &Table, path: String) -> String {
     }
 }
 
-fn one_of(names: &[&str]) -> String {
-    let names: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
-    format!("one of {}", names.join(", "))
-}
-
 /// What the key `inner` may be; the names of a choice are known to its type only, which lists them
 /// where a name is unknown.
 fn allowed<T: DeserializeOwned>(inner: &str, table: &Table, keys: &[Key]) -> String {
@@ -118,12 +112,11 @@ fn allowed<T: DeserializeOwned>(inner: &str, table: &Table, keys: &[Key]) -> Str
     let name = Override { path, value: Some(Value::String("?".into())) };
     // A name on the way that is a value has been refused before.
     let _ = name.lay_over(&mut unknown);
-    match (kind, serde_path_to_error::deserialize::<_, T>(unknown)) {
-        (Kind::Name, Err(error)) if error.inner().message().starts_with("unknown variant") => {
-            let names: Vec<&str> = error.inner().message().split('`').skip(3).step_by(2).collect();
-            one_of(&names)
-        }
-        _ => kind.allowed(),
+    let error =
+        serde_path_to_error::deserialize::<_, T>(unknown).err().filter(|_| matches!(kind, Kind::Name));
+    match error.and_then(|error| choices(error.inner().message())) {
+        Some(names) => one_of(&names),
+        None => kind.allowed(),
     }
 }
 

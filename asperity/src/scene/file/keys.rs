@@ -5,8 +5,11 @@
 
 use std::collections::BTreeSet;
 
+use serde::de::DeserializeOwned;
+use toml::{Table, Value};
+
 use super::source::join;
-use crate::scene::ELEMENTS_PER_RADIUS;
+use crate::scene::{ELEMENTS_PER_RADIUS, FrictionLaw, Hardening, Rate, Softening};
 
 /// What a number may be.
 #[derive(Clone, Copy)]
@@ -83,6 +86,8 @@ pub enum Kind {
     Count(usize, usize, usize),
     /// One of the names that the type of the key lists.
     Name,
+    /// One of the laws of the section.
+    Law(fn() -> Vec<String>),
     Flag,
     Section(&'static [Key]),
     /// A list of sections, not empty.
@@ -107,7 +112,25 @@ const fn parameter(laws: &'static [&'static str], name: &'static str, kind: Kind
     Key { name, kind, laws }
 }
 
-use Kind::{Count, Flag, List, Name, Number, NumberOr, Property, Section, Sections};
+/// Names of the laws of a type.
+fn laws<T: DeserializeOwned>() -> Vec<String> {
+    let unknown = Table::from_iter([("law".to_owned(), Value::from("?"))]);
+    let error = unknown.try_into::<T>().err().expect("no law has this name");
+    choices(error.message()).expect("serde lists the laws")
+}
+
+/// The known names in serde's message on an unknown one.
+pub fn choices(message: &str) -> Option<Vec<String>> {
+    let quoted = || message.split('`').skip(1).step_by(2);
+    message.starts_with("unknown variant").then(|| quoted().skip(1).map(String::from).collect())
+}
+
+pub fn one_of(names: &[String]) -> String {
+    let names: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
+    format!("one of {}", names.join(", "))
+}
+
+use Kind::{Count, Flag, Law, List, Name, Number, NumberOr, Property, Section, Sections};
 
 /// All sections of a scene.
 pub const SCENE: &[Key] = &[
@@ -140,7 +163,7 @@ const MATERIAL: &[Key] = &[
 ];
 
 const HARDENING: &[Key] = &[
-    key("law", Name),
+    key("law", Law(laws::<Hardening>)),
     parameter(&["linear", "johnson-cook"], "modulus", Number("Pa", NOT_NEGATIVE)),
     parameter(&["johnson-cook"], "exponent", Number("1", HARDENING_EXPONENT)),
     parameter(&["table"], "plastic_strain", List("1", NOT_NEGATIVE, Order::Rising)),
@@ -148,13 +171,13 @@ const HARDENING: &[Key] = &[
 ];
 
 const RATE: &[Key] = &[
-    key("law", Name),
+    key("law", Law(laws::<Rate>)),
     parameter(&["johnson-cook"], "coefficient", Number("1", NOT_NEGATIVE)),
     parameter(&["johnson-cook"], "reference", Number("1/s", POSITIVE)),
 ];
 
 const SOFTENING: &[Key] = &[
-    key("law", Name),
+    key("law", Law(laws::<Softening>)),
     parameter(&["johnson-cook"], "reference", Number("K", POSITIVE)),
     parameter(&["johnson-cook"], "melting", Number("K", POSITIVE)),
     parameter(&["johnson-cook"], "exponent", Number("1", POSITIVE)),
@@ -163,7 +186,7 @@ const SOFTENING: &[Key] = &[
 ];
 
 const INTERFACE: &[Key] = &[
-    key("law", Name),
+    key("law", Law(laws::<FrictionLaw>)),
     parameter(&["coulomb"], "friction", Number("1", NOT_NEGATIVE)),
     parameter(&["coulomb", "briscoe-tabor"], "cap", Flag),
     parameter(&["briscoe-tabor"], "film_strength", Number("Pa", NOT_NEGATIVE)),
@@ -246,6 +269,7 @@ impl Kind {
             Count(from, to, 1) => format!("a whole number from {from} to {to}"),
             Count(from, to, step) => format!("a whole number from {from} to {to}, a multiple of {step}"),
             Name => "a name in quotes".into(),
+            Law(laws) => one_of(&laws()),
             Flag => "true or false".into(),
             Section(keys) if keys[0].name == "law" => "{ law = … }".into(),
             Section(_) => "a section".into(),
@@ -274,6 +298,15 @@ pub fn all_keys() -> Vec<(&'static str, String)> {
 /// Names of all keys of scenes and requests, sorted.
 pub fn key_names() -> BTreeSet<&'static str> {
     all_keys().into_iter().map(|(name, _)| name).collect()
+}
+
+/// Names of all laws of scenes, sorted.
+pub fn law_names() -> BTreeSet<String> {
+    let laws = |(_, path): (&str, String)| match find(SCENE, &path) {
+        Some(Law(laws)) => laws(),
+        _ => Vec::new(),
+    };
+    all_keys().into_iter().flat_map(laws).collect()
 }
 
 /// The kind of a key by its path from `keys` on.

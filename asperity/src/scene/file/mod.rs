@@ -25,7 +25,7 @@ mod tests;
 use std::path::Path;
 
 pub use error::SceneFileError;
-pub use keys::key_names;
+pub use keys::{key_names, law_names};
 pub use request::{Request, parse_request, read_request, write_request};
 
 use crate::scene::Scene;
