@@ -15,7 +15,7 @@ use crate::heat::counterface::HalfSpace;
 use crate::heat::properties::ThermalProperties;
 use crate::interface::contact::Contact;
 use crate::material::Solid;
-use crate::scene::{Control, FrictionLaw, InterfaceStrength, Kinematics, Material, Scene};
+use crate::scene::{Control, Interface, Kinematics, Material, Scene};
 use crate::solver::StopRequest;
 use crate::solver::harmonic::{FactorError, HarmonicFactors};
 use crate::solver::newton::Mechanics;
@@ -35,28 +35,24 @@ pub struct Problem {
     pub critical_interference: f64,
     /// ω₀/R.
     pub interference: f64,
-    pub law: FrictionLaw,
+    /// That of the scene; beside a conducting counterface, which takes up heat from there, all frictional heat is released into
+    /// the asperity.
+    pub interface: Interface,
     pub press_friction: PressFriction,
     /// β² on a rigid flat, on which the asperity slides, less that of the two bodies.
     pub coupling_of_flat: f64,
     /// Loading control of the slide.
     pub control: Control,
-    pub strength: InterfaceStrength,
-    pub strength_factor: f64,
     /// Speed of shear waves in the asperity itself, over κ/R.
     pub wave_speed: f64,
     /// ρc·(1 K)/σ_Y at T₀; also k·(1 K), as κ = 1.
     pub heat_capacity: f64,
     /// Properties that depend on temperature; none where specific heat and conductivity are constant.
     pub thermal_properties: Option<ThermalProperties>,
-    /// Share of the frictional heat that is released into the asperity; a conducting counterface takes up heat from
-    /// there.
-    pub heat_partition: f64,
     /// Share that enters the asperity when sliding begins.
     pub initial_heat_partition: f64,
     /// The counterface that conducts; none where the flat is isothermal.
     pub counterface: Option<HalfSpace>,
-    pub taylor_quinney: f64,
     /// Rise at which neither body nor interface has any strength.
     pub melting_rise: Option<f64>,
     /// h_g R/k, Biot number of the gap between asperity and flat.
@@ -132,6 +128,10 @@ impl Problem {
         let diffusivity = material.diffusivity();
         let heat_capacity = material.density * material.specific_heat / material.yield_strength;
         let counterface = half_space(scene, heat_capacity, expansion);
+        let mut interface = scene.interface.clone();
+        if counterface.is_some() {
+            interface.heat_partition = 1.0;
+        }
         Self {
             solid: Solid::new(material, scene.loading.temperature),
             finite_strain: scene.model.kinematics == Kinematics::Finite,
@@ -140,19 +140,15 @@ impl Problem {
             counterface_share: 1.0 - material.youngs_modulus / own_modulus,
             critical_interference: critical,
             interference: scene.loading.interference * critical,
-            law: scene.interface.law.clone(),
+            interface,
             press_friction,
             coupling_of_flat: rigid - both,
             control: scene.loading.control,
-            strength: scene.interface.strength,
-            strength_factor: scene.interface.strength_factor,
             wave_speed: wave_speed * scene.radius / diffusivity,
             heat_capacity,
             thermal_properties: ThermalProperties::of(&material.dependence, scene.loading.temperature),
-            heat_partition: if counterface.is_some() { 1.0 } else { scene.interface.heat_partition },
             initial_heat_partition: scene.initial_heat_partition(),
             counterface,
-            taylor_quinney: scene.interface.taylor_quinney,
             melting_rise: scene.highest_temperature().map(|highest| highest - scene.loading.temperature),
             gap_biot_number: scene.interface.gap_conductance * scene.radius / material.thermal_conductivity,
             units: Units {
@@ -232,7 +228,7 @@ impl Discretisation {
         let body = Body::revolve(body, self.mesh.clone());
         let elastic = (problem.contact_modulus, problem.poisson_ratio);
         let mut contact = Contact::revolve(contact, &self.mesh, elastic);
-        if problem.law.has_friction() {
+        if problem.interface.law.has_friction() {
             contact.stick();
         }
         let displacement = self.mesh.sectors.spread(displacement);

@@ -15,7 +15,7 @@ use crate::loading::press::Increment;
 use crate::loading::problem::{Problem, wave_speed};
 use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
-use crate::scene::{InterfaceStrength, LoadingStep, Scene};
+use crate::scene::{Interface, InterfaceStrength, LoadingStep, Scene};
 use crate::simulate::accuracy::correction::Correction;
 use crate::simulate::accuracy::error_budget::{CONTROLLED, ErrorBudget, ErrorSource};
 use crate::simulate::accuracy::resolution::Resolution;
@@ -235,7 +235,8 @@ fn warnings_of_balances(problem: &Problem, history: &[SlideState]) -> Option<War
     };
     let energy = relative(end.energy_missing(), &[&end.energies()[..], &[end.work]].concat());
     let heat = relative(end.heat_missing(), &[end.heat_in, end.heat_stored, end.heat_out]);
-    let dissipated = problem.heat_partition * end.friction_work + problem.taylor_quinney * end.plastic;
+    let Interface { heat_partition, taylor_quinney, .. } = problem.interface;
+    let dissipated = heat_partition * end.friction_work + taylor_quinney * end.plastic;
     let taken = end.heat_in + end.heat_counterface;
     // Before sliding begins there is hardly any heat.
     let is_heated = taken != 0.0 && history.iter().any(SlideState::slides);

@@ -102,7 +102,7 @@ impl Conditions<'_> {
     ) -> Option<SteadyState> {
         let accuracy = self.pressed.numerics.accuracy;
         let end = slide.history.len() - 1;
-        if !self.pressed.problem.law.has_friction() || !slide.is_sliding() {
+        if !self.pressed.problem.interface.law.has_friction() || !slide.is_sliding() {
             return None;
         }
         if !has_to_go_on(&slide.history, accuracy) {

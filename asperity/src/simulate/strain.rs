@@ -76,7 +76,7 @@ fn strength_ratio(scene: &Scene, problem: &Problem, contact: &Contact) -> f64 {
     let at = ContactPoint {
         pressure: contact.committed.iter().fold(0.0, |largest, state| f64::max(largest, state.pressure)),
         contact_fraction: 1.0,
-        strength: problem.strength_factor * SHEAR_RATIO,
+        strength: problem.interface.strength_factor * SHEAR_RATIO,
         temperature: problem.units.temperature,
         unit: problem.units.stress,
     };
@@ -85,7 +85,7 @@ fn strength_ratio(scene: &Scene, problem: &Problem, contact: &Contact) -> f64 {
     let in_stick =
         2.0 * 8.0 * shear * slip_over_radius / ((2.0 - scene.material.poisson_ratio) * std::f64::consts::PI);
     // Not above 1 by rounding.
-    let ratio = shear_limit(&problem.law, &at).min(in_stick) / SHEAR_RATIO;
+    let ratio = shear_limit(&problem.interface.law, &at).min(in_stick) / SHEAR_RATIO;
     if (ratio - 1.0).abs() < 1e-12 { 1.0 } else { ratio }
 }
 

@@ -40,7 +40,7 @@ impl Values {
         let pressed = press.last().expect("a press has increments");
         // Without friction the values are rounding errors, without a slide there are none.
         let slides = history.len() > 1;
-        let has_friction = problem.law.has_friction() && slides;
+        let has_friction = problem.interface.law.has_friction() && slides;
         let none = if slides { 0.0 } else { f64::NAN };
         let (first, latest) = (first_step(history), last_slip(history));
         let inception = if has_friction { inception(first) } else { Inception::none(history) };

@@ -37,14 +37,14 @@ impl Slide<'_> {
     fn elastic_displacement(&self) -> f64 {
         /// Largest strength of the interface over that of the body: beyond it shear takes place below the interface.
         const MOST_STRENGTH: f64 = 10.0;
-        let strength = self.problem.strength_factor.min(MOST_STRENGTH) * SHEAR_RATIO;
+        let strength = self.problem.interface.strength_factor.min(MOST_STRENGTH) * SHEAR_RATIO;
         let limit = self.mean_film_limit().map_or(strength, |limit| strength.min(limit));
         limit * self.history[0].radius() / self.problem.solid.moduli.shear
     }
 
     /// Mean τ₀ of Coulomb's law and of films under the present pressure, which may be far below the strength of the metal.
     fn mean_film_limit(&self) -> Option<f64> {
-        self.problem.law.limit().film?;
+        self.problem.interface.law.limit().film?;
         let contact = &self.mechanics.contact;
         let limits = shear_limits(self.problem, contact, &vec![1.0; contact.len()], None);
         Some(contact.mean_limit(&limits)).filter(|limit| *limit > 0.0)

@@ -26,7 +26,7 @@ impl ContactHeat for FrictionHeat<'_> {
         }
         let area = self.contact.areas[point];
         let gap = self.conductance(point);
-        let power = problem.heat_partition * area * self.speed[point];
+        let power = problem.interface.heat_partition * area * self.speed[point];
         // A point that sticks, as all do without a limit, has no speed.
         if power == 0.0 {
             return (-gap * rise, -gap);
@@ -69,8 +69,8 @@ impl HeatSources {
     /// does not heat it.
     pub fn of(problem: &Problem, body: &Body, contact: &Contact, (dt, most_slip): (f64, f64)) -> Self {
         let mut plastic = vec![0.0; body.mesh.field_length(1)];
-        if problem.taylor_quinney > 0.0 {
-            body.add_plastic_work(problem.taylor_quinney / dt, &mut plastic);
+        if problem.interface.taylor_quinney > 0.0 {
+            body.add_plastic_work(problem.interface.taylor_quinney / dt, &mut plastic);
         }
         let speed = |i| if is_released(contact, i) { 0.0 } else { contact.point_slip(i).min(most_slip) / dt };
         Self { speed: (0..contact.len()).map(speed).collect(), plastic }

@@ -2,6 +2,7 @@
 
 use crate::loading::problem::Problem;
 use crate::loading::state::SlideState;
+use crate::scene::Interface;
 
 /// Energy and heat that a step may leave unaccounted for, relative to the largest term so far and the elastic energy
 /// of the press: at finite strain the trapezoidal work of a step is accurate to second order.
@@ -65,7 +66,8 @@ pub fn check(
     if missing > MISSING * exchanged {
         return Err(Violation::Heat(missing / exchanged));
     }
-    let generated = problem.heat_partition * friction + problem.taylor_quinney * plastic;
+    let Interface { heat_partition, taylor_quinney, .. } = problem.interface;
+    let generated = heat_partition * friction + taylor_quinney * plastic;
     if of_step(|state| state.heat_in + state.heat_counterface)
         > HEAT_OF_DISSIPATION * generated + MISSING * largest
     {

@@ -294,7 +294,7 @@ impl<'a> Slide<'a> {
     }
 
     fn shears_in_stick(&self, strain: f64, stick_fraction: f64) -> SlideFailure {
-        let remedy = self.problem.law.remedy_of_strong_interface();
+        let remedy = self.problem.interface.law.remedy_of_strong_interface();
         SlideFailure::Distorted { strain, stick_fraction, remedy }
     }
 

@@ -9,7 +9,7 @@ use crate::scene::InterfaceStrength;
 
 /// f_τ σ_Y(T)/√3 times the hardening factor.
 pub fn shear_strength(problem: &Problem, hardened: f64, rise: f64) -> f64 {
-    problem.strength_factor * SHEAR_RATIO * (hardened * problem.solid.softening_factor(rise))
+    problem.interface.strength_factor * SHEAR_RATIO * (hardened * problem.solid.softening_factor(rise))
 }
 
 /// Factor by which the interface has hardened with plastic strain and with the strain rate, at each contact point.
@@ -22,7 +22,7 @@ pub fn interface_hardening(
 ) -> Vec<f64> {
     let radius = problem.units.length * contact.radius(&contact.trial);
     let rated = problem.solid.interface_rate_factor(slip_rate, radius);
-    match problem.strength {
+    match problem.interface.strength {
         InterfaceStrength::Initial => vec![rated; contact.len()],
         InterfaceStrength::Current => {
             let strain = body.surface_strain(state);
@@ -41,7 +41,7 @@ pub fn shear_limit_at(problem: &Problem, contact: &Contact, point: usize, harden
         temperature: problem.units.temperature + rise,
         unit: problem.units.stress,
     };
-    shear_limit(&problem.law, &at)
+    shear_limit(&problem.interface.law, &at)
 }
 
 /// Limit of the shear traction at each contact point.

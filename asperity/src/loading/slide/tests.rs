@@ -182,7 +182,7 @@ fn a_reversed_slide_closes_its_loop() {
     (slide.heat, slide.motion) = (None, slip(0.0, 0.0));
     let radius = slide.history[0].radius();
     // Twice the elastic displacement τa/G at gross slip: the contact slips all over, but only towards the end.
-    let far = 2.0 * problem.strength_factor * SHEAR_RATIO * radius / problem.solid.moduli.shear;
+    let far = 2.0 * problem.interface.strength_factor * SHEAR_RATIO * radius / problem.solid.moduli.shear;
     let branch = |from: f64, to: f64| {
         (1..=STEPS).map(move |k| from + (to - from) * f64::from(k) / f64::from(STEPS)).collect::<Vec<_>>()
     };

@@ -125,7 +125,7 @@ impl Note {
     /// How the asperity is pressed, if that depends on the counterface.
     pub(super) fn press(problem: &Problem) -> Option<Self> {
         let press = problem.press_friction;
-        let depends = problem.law.has_friction() && (!press.sticks || press.neglected > 0.0);
+        let depends = problem.interface.law.has_friction() && (!press.sticks || press.neglected > 0.0);
         depends.then_some(Self::Press(press))
     }
 
