@@ -31,17 +31,45 @@ pub struct BodyState<V = Vec<f64>> {
     pub(super) rise: V,
 }
 
+/// Values of each field per element and angle.
+const COUNTS: BodyState<usize> = BodyState {
+    plastic_strain: POINTS * TENSOR,
+    deviator: POINTS * TENSOR,
+    accumulated: POINTS,
+    strength: POINTS,
+    mean_stress: 1,
+    rise: 1,
+};
+
+impl<V> BodyState<V> {
+    fn each(&self) -> BodyState<&V> {
+        let Self { plastic_strain, deviator, accumulated, strength, mean_stress, rise } = self;
+        BodyState { plastic_strain, deviator, accumulated, strength, mean_stress, rise }
+    }
+
+    fn each_mut(&mut self) -> BodyState<&mut V> {
+        let Self { plastic_strain, deviator, accumulated, strength, mean_stress, rise } = self;
+        BodyState { plastic_strain, deviator, accumulated, strength, mean_stress, rise }
+    }
+
+    /// What `make` makes of each field with that of `other`.
+    fn with<W, T>(self, other: BodyState<W>, mut make: impl FnMut(V, W) -> T) -> BodyState<T> {
+        BodyState {
+            plastic_strain: make(self.plastic_strain, other.plastic_strain),
+            deviator: make(self.deviator, other.deviator),
+            accumulated: make(self.accumulated, other.accumulated),
+            strength: make(self.strength, other.strength),
+            mean_stress: make(self.mean_stress, other.mean_stress),
+            rise: make(self.rise, other.rise),
+        }
+    }
+}
+
 impl BodyState {
     pub(super) fn new(elements: usize, lanes: usize) -> Self {
-        let points = elements * POINTS * lanes;
-        Self {
-            plastic_strain: vec![0.0; points * TENSOR],
-            deviator: vec![0.0; points * TENSOR],
-            accumulated: vec![0.0; points],
-            strength: vec![1.0; points],
-            mean_stress: vec![0.0; elements * lanes],
-            rise: vec![0.0; elements * lanes],
-        }
+        let mut state = COUNTS.with(COUNTS, |count, _| vec![0.0; count * elements * lanes]);
+        state.strength.fill(1.0);
+        state
     }
 
     /// Largest equivalent plastic strain.
@@ -51,64 +79,28 @@ impl BodyState {
 
     /// An axisymmetric state at all angles.
     pub(super) fn spread(&self, sectors: &Collocation) -> Self {
-        Self {
-            plastic_strain: sectors.spread(&self.plastic_strain),
-            deviator: sectors.spread(&self.deviator),
-            accumulated: sectors.spread(&self.accumulated),
-            strength: sectors.spread(&self.strength),
-            mean_stress: sectors.spread(&self.mean_stress),
-            rise: sectors.spread(&self.rise),
-        }
+        self.each().with(COUNTS, |values, _| sectors.spread(values))
     }
 
     pub(super) fn copy_from(&mut self, other: &Self) {
-        self.plastic_strain.copy_from_slice(&other.plastic_strain);
-        self.deviator.copy_from_slice(&other.deviator);
-        self.accumulated.copy_from_slice(&other.accumulated);
-        self.strength.copy_from_slice(&other.strength);
-        self.mean_stress.copy_from_slice(&other.mean_stress);
-        self.rise.copy_from_slice(&other.rise);
+        self.each_mut().with(other.each(), |to, from| to.copy_from_slice(from));
     }
 
     /// The state of consecutive elements.
     pub(super) fn of_elements(&self, elements: Range<usize>, lanes: usize) -> BodyState<&[f64]> {
         let groups = elements.start * lanes..elements.end * lanes;
-        let points = groups.start * POINTS..groups.end * POINTS;
-        let tensors = points.start * TENSOR..points.end * TENSOR;
-        BodyState {
-            plastic_strain: &self.plastic_strain[tensors.clone()],
-            deviator: &self.deviator[tensors],
-            accumulated: &self.accumulated[points.clone()],
-            strength: &self.strength[points],
-            mean_stress: &self.mean_stress[groups.clone()],
-            rise: &self.rise[groups],
-        }
+        self.each().with(COUNTS, |values, count| &values[groups.start * count..groups.end * count])
     }
 
     pub(super) fn slices_mut(&mut self) -> BodyState<&mut [f64]> {
-        BodyState {
-            plastic_strain: &mut self.plastic_strain,
-            deviator: &mut self.deviator,
-            accumulated: &mut self.accumulated,
-            strength: &mut self.strength,
-            mean_stress: &mut self.mean_stress,
-            rise: &mut self.rise,
-        }
+        self.each_mut().with(COUNTS, |values, _| values.as_mut_slice())
     }
 }
 
 impl BodyState<&mut [f64]> {
     /// Splits off the first `groups` elements times angles.
     pub(super) fn take(&mut self, groups: usize) -> Self {
-        let points = groups * POINTS;
-        BodyState {
-            plastic_strain: take(&mut self.plastic_strain, points * TENSOR),
-            deviator: take(&mut self.deviator, points * TENSOR),
-            accumulated: take(&mut self.accumulated, points),
-            strength: take(&mut self.strength, points),
-            mean_stress: take(&mut self.mean_stress, groups),
-            rise: take(&mut self.rise, groups),
-        }
+        self.each_mut().with(COUNTS, |rest, count| take(rest, groups * count))
     }
 }
 
