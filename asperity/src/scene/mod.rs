@@ -180,11 +180,13 @@ impl Scene {
     }
 
     /// Limit of the shear traction at the initial temperature, Pa: at the highest pressure, that of Hertz or the hardness of 3σ_Y
-    /// (Tabor 1951), where it depends on it; that of the metal where no film limits it, which grows with the strain rate by `rate_factor`.
+    /// (Tabor 1951), where it depends on it; that of the metal where no film limits it, which grows with the strain rate by `rate_factor`,
+    /// and is that of the body where nothing limits it.
     pub(crate) fn interface_strength(&self, rate_factor: f64) -> f64 {
         const HARDNESS: f64 = 3.0;
         let Interface { ref law, strength_factor, .. } = self.interface;
-        let of_metal = strength_factor * rate_factor * self.material.elastic_plastic().shear_strength();
+        let factor = if law.limit().capped { strength_factor } else { 1.0 };
+        let of_metal = factor * rate_factor * self.material.elastic_plastic().shear_strength();
         let Some((film, coefficient)) = law.film(self.loading.temperature) else { return of_metal };
         let elastic = yield_coefficient(self.material.poisson_ratio) * self.loading.interference.sqrt();
         let limit = film + coefficient * elastic.min(HARDNESS) * self.material.yield_strength;

@@ -167,6 +167,8 @@ pub enum Warning {
         100.0 * .share
     )]
     ContactsMerge { at: Place, share: f64 },
+    #[error("{at}: the bias is unknown, as the surface of infinite extent is refused: {reason}")]
+    UnknownBias { at: Place, reason: String },
     #[error("{at}: {idle} of {count} surfaces have no asperity in contact and no friction coefficient")]
     SamplesWithoutContact { at: Place, idle: usize, count: usize },
     #[error(

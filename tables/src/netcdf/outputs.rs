@@ -118,19 +118,22 @@ const PROGRAMS: [&str; 2] = ["asperity ", "roughsurface "];
 const BINARY_DATA: [&[u8]; 7] =
     [b"PK\x03\x04", b"\x93NUMPY", b"Gwyddion", b"aISO-", b"bISO-", b"aBCR-", b"bBCR-"];
 
-/// Extensions of measured heights in text files.
-const MEASURED: [&str; 6] = ["csv", "txt", "tsv", "dat", "xyz", "asc"];
+/// Extensions of measured heights in text files, of input of Abaqus and of settings of other programs.
+const MEASURED: [&str; 8] = ["csv", "txt", "tsv", "dat", "xyz", "asc", "inp", "json"];
 
-/// Beginnings of the texts of this project with such an extension: tables, friction for MATLAB and for COMSOL, heights of
-/// summits, and surfaces.
-const TEXTS: [&str; 6] = [
+/// Beginnings of the texts of this project with such an extension: tables, friction for MATLAB, COMSOL and Abaqus, rate laws,
+/// heights of summits, and surfaces.
+const TEXTS: [&str; 8] = [
     "interference [1],",
     "temperature [K],interference [1],",
     "temperature_K,",
     "% Friction coefficient",
+    "** Friction coefficient",
+    RATE_LAW,
     HEIGHTS,
     SURFACE,
 ];
+const RATE_LAW: &str = "{\n  \"files\": [";
 const HEIGHTS: &str = "# Heights of summits ";
 const SURFACE: &str = "# Summits of ";
 

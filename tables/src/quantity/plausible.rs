@@ -42,6 +42,8 @@ const PLAUSIBLE: &[Plausible] = &[
     of(&["youngs_modulus"], "Pa", (1e8, 1.5e12), STRESS),
     // Indium 2 MPa, hardest ceramics some 30 GPa.
     of(&["yield_strength", "tensile_strength", "film_strength"], "Pa", (1e5, 5e10), STRESS),
+    // C of Johnson & Cook: metals 0.001 to 0.1, polymers more.
+    of(&["rate.coefficient"], "1", (1e-4, 0.3), &[("%", 1e-2, 0.0)]),
     // Over the strength at the initial temperature, or at any other.
     of(&["factor"], "1", (1e-4, 1e3), &[("%", 1e-2, 0.0)]),
     // Of a compression test, logarithmic.

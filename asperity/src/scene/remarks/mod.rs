@@ -16,7 +16,8 @@ use crate::scene::fitted_constants::localised_shear;
 use crate::scene::loading::{default_slip_distance, default_temperature};
 use crate::scene::presets::Preset;
 use crate::scene::{
-    Control, FractureData, Interface, InterfaceStrength, Loading, Scene, Softening, Switch, presets,
+    Control, FractureData, Interface, InterfaceStrength, Loading, Scene, ShearLimit, Softening, Switch,
+    presets,
 };
 
 /// Linear hardening modulus over yield strength that is suggested where none is given: within the range 0.35 to 4.5 of
@@ -208,9 +209,10 @@ impl Scene {
     fn equal_strength(&self) -> Option<String> {
         let perfect = self.material.hardening.plateau() == f64::INFINITY;
         let law = &self.interface.law;
-        let weaker = match law.limit().capped || law.film(self.loading.temperature).is_none() {
-            true => "[interface] strength_factor below 1",
-            false => "an interface weaker than the material",
+        let weaker = match law.limit() {
+            ShearLimit { capped: true, .. } => "[interface] strength_factor below 1",
+            ShearLimit { film: Some(_), .. } => "an interface weaker than the material",
+            ShearLimit { film: None, .. } => "law = \"shear-strength\" with strength_factor below 1",
         };
         (perfect && self.interface_as_strong()).then(|| {
             let modulus = digits(MODULUS_SUGGESTED * self.material.yield_strength, 1);

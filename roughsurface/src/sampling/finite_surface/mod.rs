@@ -103,10 +103,19 @@ pub fn sample(
         progress(done.fetch_add(1, Ordering::Relaxed) + 1, sampling.realizations);
         states
     })?;
-    let infinite: Vec<Option<SampledState>> = loading.states(&infinite).into_iter().map(Result::ok).collect();
+    let infinite = loading.states(&infinite);
+    let unknown = infinite.iter().enumerate().filter_map(|(cell, state)| Some((cell, state.as_ref().err()?)));
+    let unknown: Vec<Warning> = unknown
+        .map(|(cell, error)| Warning::UnknownBias {
+            at: Place::of(query, cell / laws.len(), cell % laws.len()),
+            reason: error.to_string(),
+        })
+        .collect();
+    let infinite: Vec<Option<SampledState>> = infinite.into_iter().map(Result::ok).collect();
     let states: Vec<Vec<SampledState>> =
         (0..predictors.len()).map(|cell| surfaces.iter().map(|surface| surface[cell]).collect()).collect();
     let mut warnings = of_infinite_extent(law, surface, query, sampling.slip, settings);
+    warnings.extend(unknown);
     warnings.extend(of_samples(law, query, sampling.slip, &states, &infinite));
     Ok(Samples { query: query.clone(), sampling: *sampling, law: law.name(), states, infinite, warnings })
 }

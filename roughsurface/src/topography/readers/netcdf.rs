@@ -11,7 +11,9 @@ use tables::netcdf::DatasetReader;
 pub(super) fn read(file: &Path) -> Result<Topography, String> {
     let reader = DatasetReader::open(file).map_err(|error| error.to_string())?;
     let shape = reader.shape("heights").map_err(|_| {
-        "has no variable \"heights\"; NetCDF files must be as SurfaceTopography writes them".to_string()
+        let title = reader.optional_text("title").ok().flatten();
+        let is = title.map_or(String::new(), |title| format!(" (its title is \"{title}\")"));
+        format!("has no variable \"heights\"{is}; NetCDF files must be as SurfaceTopography writes them")
     })?;
     let mut remarks = Vec::new();
     let stated = |name: &str| -> Result<Option<f64>, String> {
