@@ -159,13 +159,22 @@ impl InterpolatedTable {
                     ElasticLimit::SlidingCoefficient => axis.blend_reciprocals((value, bend), of_rate)?,
                     _ => axis.blend((value, bend), of_rate)?,
                 };
-                bend += uncertainty * (value - of_rate(0)?).abs();
+                if uncertainty > 0.0 {
+                    bend += uncertainty * (value - of_rate(0)?).abs();
+                }
             }
             Ok((value, bend.max(unknown)))
         };
+        // The rows around the place, each of which several predictions ask for.
+        let first = place.index.saturating_sub(2);
+        let last =
+            if place.t > 0.0 { (place.index + 3).min(log_interference.len() - 1) } else { place.index };
+        let rows: Vec<_> = (first..=last).map(row).collect();
+        let row = |i: usize| if (first..=last).contains(&i) { rows[i - first] } else { Err((i, 0)) };
         let of_row = |i: usize| Ok(row(i)?.0);
         let (value, bend) = blend_with_bend(log_interference, place, of_row)?;
-        let misfit = left_out(log_interference, place, of_row);
+        let included = self.metadata().interpolation_tolerance.is_some();
+        let misfit = if included { 0.0 } else { left_out(log_interference, place, of_row) };
         let of_kink = match quantity.descriptor().elastic_limit {
             ElasticLimit::EnergyRelease => first_yield::kink(log_interference, place),
             _ => 0.0,
@@ -178,7 +187,6 @@ impl InterpolatedTable {
             }
             bends += share_i * row(i)?.1;
         }
-        let included = self.metadata().interpolation_tolerance.is_some();
         let interpolation = if included { 0.0 } else { COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * bends };
         Ok((value, error.hypot(interpolation)))
     }
@@ -188,6 +196,9 @@ impl InterpolatedTable {
 /// others, for half of its interval. An interval shorter than the transition from elastic to plastic contact is smooth: there the
 /// error falls faster than the interval.
 fn left_out(axis: &[f64], place: Location, value: impl Fn(usize) -> Result<f64, Absent>) -> f64 {
+    if place.t <= 0.0 || place.t >= 1.0 {
+        return 0.0;
+    }
     let misfit = |own: usize| {
         let (rest, at) = nodes::without(axis, own);
         let place = super::steffen::locate(&rest, at);
