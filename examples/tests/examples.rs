@@ -2,13 +2,11 @@
 
 use std::path::Path;
 
-use tests::programs::{example, execute_file, stderr};
+use tests::programs::{example, execute_file};
 
 /// What an example prints.
 fn printed(name: &str, folder: &Path, arguments: &str) -> String {
-    let output = execute_file(&example(name), folder, arguments);
-    assert!(output.status.success(), "{name}: {}", stderr(&output));
-    String::from_utf8(output.stdout).unwrap()
+    execute_file(&example(name), folder, arguments).with_status(0).stdout
 }
 
 /// The number at a position of a line.

@@ -4,6 +4,7 @@
 //! are of the programs from outside, of the book, and of input that is damaged. What can be tested on one module is
 //! tested in its own folder.
 
+pub mod folder;
 pub mod programs;
 
 use std::path::{Path, PathBuf};

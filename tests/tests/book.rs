@@ -286,8 +286,7 @@ fn commands_have_the_options_that_the_book_gives_them() {
                 ("table", [inner, ..]) => format!("table {inner}"),
                 (command, _) => command.to_owned(),
             };
-            let help = done(program, &root(), &format!("{command} --help"));
-            let help = String::from_utf8(help.stdout).unwrap();
+            let help = done(program, &root(), &format!("{command} --help")).stdout;
             for option in rest.iter().filter(|word| word.starts_with('-')) {
                 assert!(help.contains(option), "{}: {option} of {line}", path.display());
             }

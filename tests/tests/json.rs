@@ -17,8 +17,7 @@ fn summary(program: &str, arguments: &str) -> Value {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("scene.toml"), SCENE).unwrap();
     std::fs::write(folder.path().join("surface.toml"), SURFACE).unwrap();
-    let output = done(program, folder.path(), &format!("{arguments} --json"));
-    serde_json::from_slice(&output.stdout).unwrap()
+    done(program, folder.path(), &format!("{arguments} --json")).json()
 }
 
 /// Whether it is a number with its error and unit: null where unknown, no negative error.

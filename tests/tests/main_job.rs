@@ -11,7 +11,7 @@
 use std::path::Path;
 use std::sync::OnceLock;
 use tables::netcdf::DatasetReader;
-use tests::programs::{done, execute, stderr};
+use tests::programs::{done, execute};
 
 const REQUEST: &str = r#"
 [material]
@@ -92,11 +92,11 @@ fn load_above_the_table_is_extrapolated_until_the_sphere_ends() {
         std::fs::write(folder.join("rough.toml"), surface("[1e2]", widths * critical_interference()))
             .unwrap();
         let output = done("roughsurface", folder, "predict rough.toml --table table.nc -o rough.nc");
-        let said = stderr(&output).contains("extrapolated towards the fully plastic limit");
+        let said = output.stderr.contains("extrapolated towards the fully plastic limit");
         let file = DatasetReader::open(&folder.join("rough.nc")).unwrap();
         let first = |name| file.reals(name, &[1, 2]).unwrap()[0];
         let outside = first("outside_table_fraction");
-        assert_eq!(said, outside > 1e-3, "{}", stderr(&output));
+        assert_eq!(said, outside > 1e-3, "{}", output.stderr);
         (outside, first("mu_error") / first("mu"))
     };
     assert!(error(1.0).0 < 0.01);
@@ -107,7 +107,7 @@ fn load_above_the_table_is_extrapolated_until_the_sphere_ends() {
     let strict = "predict rough.toml --table table.nc -o none.nc";
     // Without the warning that 100 Pa is little.
     let output = execute("roughsurface", folder, &format!("{strict} -q"));
-    let message = stderr(&output);
+    let message = output.stderr;
     assert_eq!((output.status.code(), message.lines().count()), (Some(2), 1), "{message}");
     assert!(message.contains("above 0.4 of their radius") && message.contains("--extrapolate"), "{message}");
     assert!(!folder.join("none.nc").exists());

@@ -1,9 +1,7 @@
 //! The program from outside: exit status, messages, and no files after a
 //! command that was refused.
 
-use std::path::Path;
-
-use crate::{COARSE, SPHERE, alone, asperity, done, ended, folder_with};
+use crate::{COARSE, SPHERE, empty_folder, folder_with};
 
 const LOADING: &str = "[loading]\ninterference = 20\nslip_rate = 1\n";
 const TABLE: &str = "[table]\ninterference = [1, 10]\nslip_rate = [1]\n";
@@ -11,14 +9,13 @@ const TABLE: &str = "[table]\ninterference = [1, 10]\nslip_rate = [1]\n";
 /// Refused, and no new file.
 fn refused(line: &str, parts: &[&str]) {
     let directory = folder_with("scene.toml", LOADING);
-    std::fs::write(directory.path().join("request.toml"), format!("{SPHERE}{TABLE}")).unwrap();
-    crate::refused(directory.path(), line, parts);
-    assert_eq!(std::fs::read_dir(directory.path()).unwrap().count(), 2, "{line}");
+    directory.write("request.toml", format!("{SPHERE}{TABLE}"));
+    directory.refused(line, parts);
+    assert_eq!(directory.entries(), 2, "{line}");
 }
 
 #[test]
 fn bad_input_is_refused_before_any_work() {
-    let _alone = alone();
     let run = "run scene.toml -o run.nc";
     let tabulate = "tabulate request.toml -o table.nc";
     for (line, parts) in [
@@ -80,7 +77,6 @@ fn bad_input_is_refused_before_any_work() {
 /// Scenes, requests and tables in place of each other, depths and ranges of requests, and folders.
 #[test]
 fn what_was_mistaken_is_named() {
-    let _alone = alone();
     let tabulate = "tabulate request.toml -o table.nc";
     for (line, parts) in [
         (
@@ -105,20 +101,18 @@ fn what_was_mistaken_is_named() {
 
 #[test]
 fn a_scene_with_the_name_of_a_file_of_vtu_is_kept() {
-    let _alone = alone();
     let directory = folder_with("body-001.vtu", LOADING);
     let line = "run body-001.vtu -o run.nc --vtu .";
-    crate::refused(directory.path(), line, &["a file of --vtu and the scene are the same file"]);
+    directory.refused(line, &["a file of --vtu and the scene are the same file"]);
 }
 
 /// Also where warnings are not printed, as the likely cause.
 #[test]
 fn a_refusal_has_the_implausible_values_with_it() {
-    let _alone = alone();
     let directory = folder_with("scene.toml", &format!("{LOADING}{COARSE}"));
     let refused = |more: &str| {
         let modulus = "counterface.youngs_modulus=330 --set counterface.poisson_ratio=0.2";
-        ended(&asperity(directory.path(), &format!("run scene.toml -o run.nc --set {modulus} {more}")), 2)
+        directory.run(&format!("run scene.toml -o run.nc --set {modulus} {more}")).with_status(2).stderr
     };
     for more in ["", "-q"] {
         let said = refused(more);
@@ -129,43 +123,39 @@ fn a_refusal_has_the_implausible_values_with_it() {
 
 #[test]
 fn usage_errors_have_status_2_and_help_has_0() {
-    let _alone = alone();
-    let here = Path::new(".");
+    let folder = empty_folder();
     let both = "run scene.toml -o run.nc --quiet -v";
     for line in ["", "run", "run scene.toml", "fly", "tabulate r.toml -o t.nc --jobs 0", both] {
-        assert_eq!(asperity(here, line).status.code(), Some(2), "{line}");
+        assert_eq!(folder.run(line).status.code(), Some(2), "{line}");
     }
-    let other_format = asperity(here, "run scene.toml -o run.CSV");
-    assert!(ended(&other_format, 2).contains("name it .nc, not .CSV"));
+    folder.misused("run scene.toml -o run.CSV", &["name it .nc, not .CSV"]);
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
-        assert!(done(here, &format!("completions {shell}")).contains("tabulate"), "{shell}");
+        assert!(folder.done(&format!("completions {shell}")).stdout.contains("tabulate"), "{shell}");
     }
-    let pages = tempfile::tempdir().unwrap();
-    done(pages.path(), "man pages");
-    let page = std::fs::read_to_string(pages.path().join("pages/asperity-run.1")).unwrap();
+    folder.done("man pages");
+    let page = folder.read("pages/asperity-run.1");
     assert!(page.contains("single") || page.contains("fields\\-at"), "{page}");
     for line in ["--help", "run --help", "tabulate --help", "honesty --help", "--version"] {
-        assert!(done(here, line).contains("asperity"), "{line}");
+        assert!(folder.done(line).stdout.contains("asperity"), "{line}");
     }
 }
 
 #[test]
 fn materials_are_listed_with_units_and_sources() {
-    let _alone = alone();
-    let here = Path::new(".");
-    let list = done(here, "materials");
+    let folder = empty_folder();
+    let list = folder.done("materials").stdout;
     let names: Vec<&str> = list.lines().map(|line| line.split(' ').next().unwrap()).collect();
     assert_eq!(names, asperity::scene::presets::names());
     assert!(names.contains(&"copper") && names.len() >= 7, "{list}");
-    let steel = done(here, "materials steel-4340");
+    let steel = folder.done("materials steel-4340").stdout;
     let line = steel.lines().find(|line| line.starts_with("yield_strength")).unwrap();
     for part in ["7.92e8", "Pa", "Johnson & Cook 1985"] {
         assert!(line.contains(part), "{line}");
     }
-    let json: serde_json::Value = serde_json::from_str(&done(here, "materials copper --json")).unwrap();
+    let json = folder.done("materials copper --json").json();
     assert_eq!(json["constants"]["yield_strength"]["value"], 90e6);
     assert_eq!(json["laws"]["hardening"], "johnson-cook");
-    let carbon = done(here, "materials carbon-steel-en1993");
+    let carbon = folder.done("materials carbon-steel-en1993").stdout;
     for part in ["youngs_modulus", "873.15 K: 6.51e10", "1008.15 K: 5000", "EN 1993-1-2:2005", "checked: "] {
         assert!(carbon.contains(part), "{carbon}");
     }
@@ -175,13 +165,11 @@ fn materials_are_listed_with_units_and_sources() {
 /// does not begin or the strength is that of another temperature, there is a warning.
 #[test]
 fn a_run_says_what_its_numbers_are_not() {
-    let _alone = alone();
     let directory = folder_with("scene.toml", &format!("{LOADING}{COARSE}"));
     let run = |set: &[&str]| {
         let set: String = set.iter().map(|change| format!(" --set {change}")).collect();
-        let output = asperity(directory.path(), &format!("run scene.toml -o run.nc --json -v{set}"));
-        let said = ended(&output, 0);
-        (serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap(), said)
+        let output = directory.done(&format!("run scene.toml -o run.nc --json -v{set}"));
+        (output.json(), output.stderr)
     };
     let (zero, none) = (serde_json::json!(0.0), serde_json::Value::Null);
     for (set, value) in [
@@ -213,19 +201,18 @@ fn a_run_says_what_its_numbers_are_not() {
 /// `-v` prints the notes of cells whether or not the table is a resumed one; tables without a common cell differ.
 #[test]
 fn tables_tell_notes_and_differ_in_their_cells() {
-    let _alone = alone();
     let sections = format!("{TABLE}{COARSE}[loading]\nslip_distance = 0.02\n");
     let directory = folder_with("request.toml", &sections);
     for (table, interference) in [("one.nc", "[1]"), ("other.nc", "[2]")] {
         let line = format!("tabulate request.toml -o {table} -v --set table.interference={interference}");
-        let said = ended(&asperity(directory.path(), &line), 0);
+        let said = directory.done(&line).stderr;
         assert!(
             said.contains("4 elements per contact radius") && !said.contains("taken from the journal"),
             "{said}"
         );
     }
-    let diff =
-        |other: &str| asperity(directory.path(), &format!("table diff one.nc {other} --tolerance 0.1"));
-    ended(&diff("one.nc"), 0);
-    assert!(ended(&diff("other.nc"), 1).contains("1 cells are in the first only, 1 in the second only"));
+    let diff = |other: &str| directory.run(&format!("table diff one.nc {other} --tolerance 0.1"));
+    diff("one.nc").with_status(0);
+    let said = diff("other.nc").with_status(1).stderr;
+    assert!(said.contains("1 cells are in the first only, 1 in the second only"));
 }

@@ -3,35 +3,29 @@
 //! Problem: a 4340 steel asperity on a coarse mesh. The files must agree with `run.nc` and with the
 //! flat that the asperity was pressed against.
 
-use std::path::Path;
 use std::sync::OnceLock;
 
-use tables::netcdf::DatasetReader;
+use tests::folder::Folder;
 use vtkio::model::{Attribute, DataSet, Piece, UnstructuredGridPiece, Vtk};
-
-use crate::alone;
 
 const SCENE: &str = "[loading]\ninterference = 20\nslip_rate = 1\nslip_distance = 0.2\n\
                      [numerics]\nelements_per_radius = 8\nsectors = 4\n";
 
 /// A directory with run.nc, half/ and whole/; made once.
-fn results() -> &'static Path {
-    static DIRECTORY: OnceLock<tempfile::TempDir> = OnceLock::new();
-    DIRECTORY
-        .get_or_init(|| {
-            let directory = crate::folder_with("scene.toml", SCENE);
-            for options in ["half", "whole --vtu-whole"] {
-                let line = format!("run scene.toml -o run.nc --fields-at 0.05,0.1 --vtu {options}");
-                crate::done(directory.path(), &line);
-            }
-            directory
-        })
-        .path()
+fn results() -> &'static Folder {
+    static DIRECTORY: OnceLock<Folder> = OnceLock::new();
+    DIRECTORY.get_or_init(|| {
+        let directory = crate::folder_with("scene.toml", SCENE);
+        for options in ["half", "whole --vtu-whole"] {
+            directory.done(&format!("run scene.toml -o run.nc --fields-at 0.05,0.1 --vtu {options}"));
+        }
+        directory
+    })
 }
 
 /// (slip in a₀, file) of a collection.
 fn collection(folder: &str) -> Vec<(f64, String)> {
-    let text = std::fs::read_to_string(results().join(folder).join("body.pvd")).unwrap();
+    let text = results().read(&format!("{folder}/body.pvd"));
     let attribute = |line: &str, name: &str| {
         line.split_once(&format!("{name}=\"")).unwrap().1.split_once('"').unwrap().0.to_owned()
     };
@@ -40,7 +34,7 @@ fn collection(folder: &str) -> Vec<(f64, String)> {
 }
 
 fn grid(folder: &str, file: &str) -> UnstructuredGridPiece {
-    let vtk = Vtk::import(results().join(folder).join(file)).unwrap();
+    let vtk = Vtk::import(results().path(folder).join(file)).unwrap();
     let DataSet::UnstructuredGrid { mut pieces, .. } = vtk.data else { panic!("no grid") };
     let Piece::Inline(piece) = pieces.remove(0) else { panic!("no piece") };
     *piece
@@ -65,8 +59,7 @@ fn highest(values: impl IntoIterator<Item = f64>) -> f64 {
 
 #[test]
 fn fields_are_those_of_the_run_and_lie_on_the_flat() {
-    let _alone = alone();
-    let run = DatasetReader::open(&results().join("run.nc")).unwrap();
+    let run = results().dataset("run.nc");
     let steps = run.shape("slip").unwrap()[0];
     let of = |name: &str| run.reals(name, &[steps]).unwrap();
     let scalar = |name: &str| run.reals(name, &[]).unwrap()[0];
@@ -111,8 +104,7 @@ fn fields_are_those_of_the_run_and_lie_on_the_flat() {
 
 #[test]
 fn the_stress_on_the_axis_carries_the_pressure_of_the_contact_centre() {
-    let _alone = alone();
-    let run = DatasetReader::open(&results().join("run.nc")).unwrap();
+    let run = results().dataset("run.nc");
     let pressure = run.reals("pressure", &run.shape("pressure").unwrap()).unwrap();
     let [half, grid] = ["half", "whole"].map(|folder| grid(folder, &collection(folder)[0].1));
     assert_eq!(grid.cells.num_cells(), 2 * half.cells.num_cells());

@@ -1,23 +1,19 @@
 //! Shipped tables are what the program computes: two cells of each metal, computed again.
 
-use std::path::Path;
-
-use crate::{alone, done};
+use crate::empty_folder;
 
 #[test]
 fn cells_of_shipped_tables_are_computed_again() {
-    let _alone = alone();
     for (seed, name) in tables::shipped::names().enumerate() {
-        print!("{}", done(Path::new("."), &format!("table check {name} --cells 1 --seed {seed}")));
+        let line = format!("table check {name} --cells 1 --seed {seed}");
+        print!("{}", empty_folder().done(&line).stdout);
     }
 }
 
 /// A place between the points of one is within the errors of what is read there.
 #[test]
 fn places_between_the_cells_are_computed() {
-    let _alone = alone();
-    let text = done(Path::new("."), "table check copper-rigid --between --cells 2 --seed 3 --json");
-    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let json = empty_folder().done("table check copper-rigid --between --cells 2 --seed 3 --json").json();
     let cells = json["cells"].as_array().unwrap();
     assert_eq!(cells.len(), 2);
     let axes = tables::shipped::table("copper-rigid").unwrap().axes().clone();
@@ -33,7 +29,7 @@ fn places_between_the_cells_are_computed() {
 /// A folder that happens to have the name of a metal does not hide its table.
 #[test]
 fn a_folder_does_not_hide_a_shipped_table() {
-    let folder = tempfile::tempdir().unwrap();
-    std::fs::create_dir(folder.path().join("steel-4340")).unwrap();
-    assert!(done(folder.path(), "table info steel-4340").contains("steel-4340"));
+    let folder = empty_folder();
+    std::fs::create_dir(folder.path("steel-4340")).unwrap();
+    assert!(folder.done("table info steel-4340").stdout.contains("steel-4340"));
 }

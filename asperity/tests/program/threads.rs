@@ -2,13 +2,12 @@
 
 use serde_json::Value;
 
-use super::{alone, done, folder_with};
+use crate::folder_with;
 
 /// The auxiliary runs of the first scene require twice as many angles as they start from, so a main run that has begun
 /// beside them is repeated; those of the second do not.
 #[test]
 fn threads_change_no_number() {
-    let _alone = alone();
     for (interference, accuracy, sectors) in [(0.05, 0.02, 8), (5.0, 0.5, 4)] {
         let run = |threads: usize| -> Value {
             let sections = format!(
@@ -17,7 +16,7 @@ fn threads_change_no_number() {
             );
             let folder = folder_with("scene.toml", &sections);
             let line = format!("run scene.toml -o run.nc --json --quiet --threads {threads}");
-            let mut results: Value = serde_json::from_str(&done(folder.path(), &line)).unwrap();
+            let mut results = folder.done(&line).json();
             results["account"]["wall_time"].take();
             results
         };

@@ -1,7 +1,7 @@
 //! Topographies in every format, against SurfaceTopography (tests/data/make_topographies.py), and
 //! from there to a prediction.
 
-use crate::folder::{Folder, data, json, stderr, surface};
+use crate::folder::{data, empty_folder, surface};
 use roughsurface::surface::file::SurfaceFile;
 use roughsurface::topography::Topography;
 use roughsurface::topography::characterize::{Detrend, Options, characterize};
@@ -110,12 +110,12 @@ pub fn numbers_have_units(value: &serde_json::Value, units: &serde_json::Value, 
 
 #[test]
 fn a_topography_becomes_a_surface_file_that_predicts() {
-    let folder = Folder::new();
+    let folder = empty_folder();
     let map = data("map.x3p").display().to_string();
     for summits in ["moments", "found"] {
         let options = format!("--cutoff 1.6um --summits {summits} -o s.toml --json --plot s.svg");
-        let output = folder.run_well(&format!("characterize {map} {options}"));
-        let result = json(&output);
+        let output = folder.done(&format!("characterize {map} {options}"));
+        let result = output.json();
         numbers_have_units(&result, &result["units"], "");
         let key = if summits == "moments" { "summits" } else { "found" };
         let expected = |name: &str| result[key][name].as_f64().unwrap();
@@ -131,21 +131,20 @@ fn a_topography_becomes_a_surface_file_that_predicts() {
     let mut text = folder.read("s.toml");
     text.push_str("[material]\nyoungs_modulus = 200e9\npoisson_ratio = 0.3\nyield_strength = 1e9\n");
     folder.write("s.toml", text);
-    folder.run_well("predict s.toml --table model:jackson-green -o f.nc -q");
+    folder.done("predict s.toml --table model:jackson-green -o f.nc -q");
 }
 
 #[test]
 fn micrometres_read_as_metres_are_noticed() {
     let map = data("map-um.npy");
-    let output =
-        Folder::new().run_well(&format!("characterize {} --pixel 0.2um --cutoff 1.6um", map.display()));
-    assert_eq!(stderr(&output).matches("--unit um").count(), 1, "{}", stderr(&output));
+    let output = empty_folder().done(&format!("characterize {} --pixel 0.2um --cutoff 1.6um", map.display()));
+    assert_eq!(output.stderr.matches("--unit um").count(), 1, "{}", output.stderr);
 }
 
 /// A file of an instrument: titles in Latin-1, decimal commas.
 #[test]
 fn titles_state_units_in_any_encoding_and_what_none_states_is_said() {
-    let folder = Folder::new();
+    let folder = empty_folder();
     // Waves that fall like those of a rough profile.
     let height = |x: f64| (1..100).map(f64::from).map(|k| (0.0157 * k * x + k * k).sin() / k).sum::<f64>();
     let point = |i: i32| {
@@ -160,23 +159,23 @@ fn titles_state_units_in_any_encoding_and_what_none_states_is_said() {
         ("units.csv", b"x;z\nmm;um\n"),
     ] {
         folder.write(name, [title, points.as_bytes()].concat());
-        let output = folder.run_well(&format!("characterize {name} --cutoff 4um --json"));
-        let result = json(&output);
+        let output = folder.done(&format!("characterize {name} --cutoff 4um --json"));
+        let result = output.json();
         assert!((result["pixel"].as_f64().unwrap() / 0.5e-6 - 1.0).abs() < 1e-9, "{name}: {result}");
         let height = result["rms_height"].as_f64().unwrap();
         assert!((5e-7..1e-6).contains(&height), "{name}: {height}");
-        assert!(!stderr(&output).contains("states no unit"), "{}", stderr(&output));
+        assert!(!output.stderr.contains("states no unit"), "{}", output.stderr);
     }
     folder.write("none.csv", format!("x;z\n{points}"));
     folder.refused(
         "characterize none.csv --cutoff 2um",
-        "the file states no unit, metres are assumed: for text",
+        &["the file states no unit, metres are assumed: for text"],
     );
 }
 
 #[test]
 fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
-    let folder = Folder::new();
+    let folder = empty_folder();
     for (file, parts) in [("map.x3p", 2), ("map.gsf", 2), ("map.nc", 100)] {
         let whole = std::fs::read(data(file)).unwrap();
         folder.write(&file.replace("map", "cut"), &whole[..whole.len() / parts]);
@@ -200,35 +199,35 @@ fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
         (&format!("{map} --cutoff 0.1um"), "cutoff = 1e-7 m: must lie between"),
         (&format!("{profile} --cutoff 1um --summits found"), "needs a map"),
     ] {
-        folder.refused(&format!("characterize {arguments} -o s.toml"), expected);
+        folder.refused(&format!("characterize {arguments} -o s.toml"), &[expected]);
         assert!(!folder.path("s.toml").exists(), "{arguments}");
     }
-    folder.refused(&format!("characterize {map} -o no/s.toml"), "its folder does not exist");
+    folder.refused(&format!("characterize {map} -o no/s.toml"), &["its folder does not exist"]);
 }
 
 /// A title with a unit is none of the sections of a surface file; a surface file may begin with a mark of its encoding.
 #[test]
 fn topographies_and_surface_files_are_told_apart() {
-    let folder = Folder::new();
+    let folder = empty_folder();
     let text = std::fs::read_to_string(data("map-xyz-um.txt")).unwrap();
     for (title, unit) in [("[um]", "--unit um"), ("[um] [um] [um]", "")] {
         folder.write("titled.txt", format!("{title}\n{text}"));
         let query = "--cutoff 1.6um --table steel-4340 --pressure 1e5 --slip-rate 1";
-        folder.run_well(&format!("predict titled.txt {unit} {query} -o f.nc -q"));
+        folder.done(&format!("predict titled.txt {unit} {query} -o f.nc -q"));
     }
     let surface = surface(1e8, 1e-3, 4e-7, "pressure = 1e6\nslip_rate = 1");
     folder.write("marked.surface", format!("\u{feff}{surface}"));
-    folder.run_well("predict marked.surface --table steel-4340 -o f.nc -q");
+    folder.done("predict marked.surface --table steel-4340 -o f.nc -q");
     // As spreadsheets write "Unicode".
     let utf16: Vec<u8> = format!("\u{feff}{text}").encode_utf16().flat_map(u16::to_le_bytes).collect();
     folder.write("unicode.txt", utf16);
-    folder.run_well("characterize unicode.txt --unit um --cutoff 1.6um -q");
+    folder.done("characterize unicode.txt --unit um --cutoff 1.6um -q");
 }
 
 /// Positions in micrometres, heights in nanometres; a profile along either side of a matrix.
 #[test]
 fn lengths_are_those_of_each_variable_and_of_the_longer_side() {
-    let folder = Folder::new();
+    let folder = empty_folder();
     let heights: Vec<f64> = (0..512).map(|place| (0.37 * f64::from(place * place)).sin()).collect();
     let mut file = DatasetWriter::create(&folder.path("units.nc"), "heights").unwrap();
     for (name, points) in [("x", 16), ("y", 32)] {
@@ -254,7 +253,7 @@ fn lengths_are_those_of_each_variable_and_of_the_longer_side() {
 /// White noise has shorter waves than any isotropic surface with such profiles.
 #[test]
 fn noise_in_a_profile_is_refused() {
-    let folder = Folder::new();
+    let folder = empty_folder();
     let mut state = 1u64;
     let mut noise = || {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
@@ -267,12 +266,12 @@ fn noise_in_a_profile_is_refused() {
         let output =
             folder.run(&format!("characterize noise.txt --pixel 1um --unit m --cutoff {cutoff} --json -q"));
         if output.status.success() {
-            let summits = &json(&output)["summits"];
+            let summits = &output.json()["summits"];
             let is_positive = |name: &str| summits[name].as_f64().is_some_and(|value| value > 0.0);
             assert!(["density", "radius", "std"].into_iter().all(is_positive), "{cutoff}: {summits}");
         } else {
             refused += 1;
-            let message = stderr(&output);
+            let message = output.stderr;
             assert!(message.contains("no isotropic surface has the estimated moments"), "{message}");
         }
     }
@@ -283,20 +282,20 @@ fn noise_in_a_profile_is_refused() {
 #[cfg(unix)]
 #[test]
 fn folders_fifos_and_devices_are_refused_at_once() {
-    let folder = Folder::new();
+    let folder = empty_folder();
     let made = std::process::Command::new("mkfifo").arg(folder.path("fifo")).status().unwrap();
     assert!(made.success());
     for (name, expected) in
         [("fifo", "fifo: cannot be read: it is a FIFO"), (".", ".: cannot be read: it is a folder")]
     {
-        folder.refused(&format!("characterize {name} -o s.toml"), expected);
+        folder.refused(&format!("characterize {name} -o s.toml"), &[expected]);
     }
     folder.refused(
         "characterize /dev/zero --pixel 1um",
-        "/dev/zero: cannot be read: it is a FIFO, a socket or a device",
+        &["/dev/zero: cannot be read: it is a FIFO, a socket or a device"],
     );
     let sample = "[surface]\nasperity_density = 1e10\nasperity_radius = 1e-4\nheights = { distribution = \"sample\", \
                   file = \"/dev/zero\" }\n[query]\npressure = 1e6\nslip_rate = 1\n";
     folder.write("s.toml", sample);
-    folder.refused("predict s.toml --table copper -o f.nc", "heights.file = \"/dev/zero\"");
+    folder.refused("predict s.toml --table copper -o f.nc", &["heights.file = \"/dev/zero\""]);
 }

@@ -1,7 +1,8 @@
 //! Exported friction, read again.
 
 use crate::demonstration::{Weakening, table};
-use crate::folder::{Folder, stderr};
+use crate::folder::folder_with_table;
+use tests::folder::Folder;
 
 const SURFACE: &str = r#"
 [surface]
@@ -14,8 +15,8 @@ slip_rate = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0]
 "#;
 
 fn folder() -> Folder {
-    let folder = Folder::with_table(SURFACE);
-    folder.run_well("predict surface.toml --table table.nc -o friction.nc --quiet");
+    let folder = folder_with_table(SURFACE);
+    folder.done("predict surface.toml --table table.nc -o friction.nc --quiet");
     folder
 }
 
@@ -35,19 +36,19 @@ fn numbers(text: &str, marks: [char; 2]) -> Vec<Vec<f64>> {
 /// At a pressure that is far outside the table.
 #[test]
 fn warnings_of_the_prediction_are_exported() {
-    let folder = Folder::with_table(SURFACE);
+    let folder = folder_with_table(SURFACE);
     folder
         .run("predict surface.toml --table table.nc -o high.nc --pressure 1e8,6e8 --slip-rate 0.1,1 --quiet");
     let warnings = folder.dataset("high.nc").optional_text("warnings").unwrap().unwrap();
     let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>().join(" ");
     for (name, mark) in [("high.inp", "**"), ("high.txt", "%")] {
-        folder.run_well(&format!("export high.nc -o {name}"));
+        folder.done(&format!("export high.nc -o {name}"));
         let text = folder.read(name);
         assert!(text.lines().all(|line| line.len() <= 256));
         let comments: String = text.lines().filter_map(|line| line.strip_prefix(mark)).collect();
         assert!(warnings.lines().all(|warning| words(&comments).contains(&words(warning))), "{comments}");
     }
-    folder.run_well("export high.nc -o high.json");
+    folder.done("export high.nc -o high.json");
     let json: serde_json::Value = serde_json::from_str(&folder.read("high.json")).unwrap();
     assert_eq!(json["warnings"].as_array().unwrap().len(), warnings.lines().count());
 }
@@ -59,7 +60,7 @@ fn every_format_has_the_friction_of_the_file() {
     let mu = reals(&folder, "mu", &[3, 7]);
     let (pressures, rates) = ([1e5, 1e6, 1e7], [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0]);
     for name in ["friction.inp", "friction.txt", "friction.CSV", "law.json"] {
-        folder.run_well(&format!("export friction.nc -o {name}"));
+        folder.done(&format!("export friction.nc -o {name}"));
     }
     let close = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-9;
 
@@ -105,26 +106,26 @@ fn every_format_has_the_friction_of_the_file() {
     }
     // Two parameters through three slip rates.
     let few = "predict surface.toml --table table.nc --slip-rate 0.1,1,10 -o few.nc";
-    folder.run_well(few);
-    folder.run_well("export few.nc -o few.json");
+    folder.done(few);
+    folder.done("export few.nc -o few.json");
     let json: serde_json::Value = serde_json::from_str(&folder.read("few.json")).unwrap();
     assert!(
         json["laws"][0]["limitation"].as_str().is_some_and(|limitation| limitation.contains("slip rates")),
         "{json}"
     );
-    let said = stderr(&folder.run("export few.nc -o few.csv --law"));
+    let said = folder.run("export few.nc -o few.csv --law").stderr;
     assert!(said.contains("is not reliable: "), "{said}");
 }
 
 #[test]
 fn values_of_the_law_lie_within_its_misfit() {
     let folder = folder();
-    folder.run_well("export friction.nc -o law.inp --law");
+    folder.done("export friction.nc -o law.inp --law");
     let rows = numbers(&folder.read("law.inp"), ['*'; 2]);
     assert_eq!(rows.len(), 3 * 21);
     let (mu, misfit) = (reals(&folder, "mu", &[3, 7]), reals(&folder, "rate_rms", &[3]));
     let error = reals(&folder, "mu_error", &[3, 7]);
-    folder.run_well("export friction.nc -o law.csv --law");
+    folder.done("export friction.nc -o law.csv --law");
     let csv = numbers(&folder.read("law.csv"), ['t'; 2]);
     for row in 0..3 {
         // Both ends of the range are slip rates of the query.
@@ -147,10 +148,10 @@ fn several_files_are_a_dependence_on_temperature() {
         slice.metadata_mut().temperature = kelvin;
         slice.write(&folder.path("at.nc")).unwrap();
         folder.write("at.toml", SURFACE.replace("[query]", &format!("[query]\ntemperature = {kelvin:?}")));
-        folder.run_well(&format!("predict at.toml --table at.nc -o {kelvin}.nc --quiet"));
+        folder.done(&format!("predict at.toml --table at.nc -o {kelvin}.nc --quiet"));
     }
     for name in ["both.inp", "both.txt"] {
-        folder.run_well(&format!("export 500.nc 298.nc -o {name}"));
+        folder.done(&format!("export 500.nc 298.nc -o {name}"));
     }
     let abaqus = numbers(&folder.read("both.inp"), ['*'; 2]);
     let comsol = numbers(&folder.read("both.txt"), ['%'; 2]);
@@ -164,25 +165,24 @@ fn several_files_are_a_dependence_on_temperature() {
     // A closed form has none.
     let steel = "[material]\nyoungs_modulus = 200e9\npoisson_ratio = 0.3\nyield_strength = 1e9\n";
     folder.write("closed.toml", format!("{SURFACE}{steel}"));
-    folder.run_well("predict closed.toml --table model:jackson-green -o closed.nc --quiet");
-    folder.refused("export closed.nc closed.nc -o f.inp", "must have an initial temperature each");
-    folder.refused("export 298.nc 298.nc -o f.inp", "298 K, as another one");
+    folder.done("predict closed.toml --table model:jackson-green -o closed.nc --quiet");
+    folder.refused("export closed.nc closed.nc -o f.inp", &["must have an initial temperature each"]);
+    folder.refused("export 298.nc 298.nc -o f.inp", &["298 K, as another one"]);
 }
 
 #[test]
 fn what_cannot_be_exported_is_refused() {
     let folder = folder();
-    folder.refused("export friction.nc -o friction.mat", "ends in .inp for Abaqus");
-    folder.refused("export friction.nc -o friction.nc", "ends in .inp");
-    folder.refused("export table.nc -o friction.csv", "not a result of `roughsurface predict`");
-    folder.run_well("predict surface.toml --table table.nc --separation 1e-7 -o separations.nc --quiet");
-    folder.refused("export separations.nc -o friction.csv", "query.pressure");
-    folder
-        .run_well("sample surface.toml --table table.nc --asperities 1000 --realizations 2 -o mc.nc --quiet");
-    folder.refused("export mc.nc -o friction.csv", "a result of `sample`");
-    folder.run_well("predict surface.toml --table table.nc --slip-rate 1 -o one.nc --quiet");
+    folder.refused("export friction.nc -o friction.mat", &["ends in .inp for Abaqus"]);
+    folder.refused("export friction.nc -o friction.nc", &["ends in .inp"]);
+    folder.refused("export table.nc -o friction.csv", &["not a result of `roughsurface predict`"]);
+    folder.done("predict surface.toml --table table.nc --separation 1e-7 -o separations.nc --quiet");
+    folder.refused("export separations.nc -o friction.csv", &["query.pressure"]);
+    folder.done("sample surface.toml --table table.nc --asperities 1000 --realizations 2 -o mc.nc --quiet");
+    folder.refused("export mc.nc -o friction.csv", &["a result of `sample`"]);
+    folder.done("predict surface.toml --table table.nc --slip-rate 1 -o one.nc --quiet");
     folder.refused(
         "export one.nc -o friction.csv --law",
-        "no rate law is fitted at 1e5 Pa: at least 3 slip rates",
+        &["no rate law is fitted at 1e5 Pa: at least 3 slip rates"],
     );
 }

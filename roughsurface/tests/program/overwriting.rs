@@ -1,14 +1,15 @@
 //! No output takes the place of an input or of another output.
 
-use crate::folder::{Folder, data, surface};
+use crate::folder::{data, folder_with, surface};
 use std::path::Path;
+use tests::folder::Folder;
 
 /// A folder with a table, a copy and a link of it, a surface, one that reads its heights and the copy, and a map.
 fn folder() -> Folder {
     let gaussian = r#"distribution = "gaussian", std = 1e-7"#;
     let plain = surface(1e10, 1e-4, 1e-7, "pressure = 1e6\nslip_rate = 1.0");
     let measured = plain.replace(gaussian, r#"distribution = "sample", file = "heights.txt""#);
-    let folder = Folder::with(&(measured + "[uncertainty]\ntables = { conductivity = \"up.nc\" }\n"));
+    let folder = folder_with(&(measured + "[uncertainty]\ntables = { conductivity = \"up.nc\" }\n"));
     folder.write("plain.toml", plain);
     folder.write("heights.txt", "0 1e-7 2e-7 3e-7\n");
     let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tables/data/copper.nc");
@@ -50,31 +51,12 @@ fn an_output_that_is_an_input_or_another_output_is_refused() {
         ("characterize map.nc -o map.nc".into(), "--output and the topography are the same file, map.nc"),
         ("characterize map.nc -o m.svg --plot m.svg".into(), "--plot and --output are the same file, m.svg"),
     ] {
-        folder.refused(&command, expected);
+        folder.refused(&command, &[expected]);
         let after = files.each_ref().map(|file| std::fs::read(file).unwrap());
         assert!(before == after, "{command}");
     }
-    folder.misused(&format!("{predict} -o heights.txt"), "name it .nc, not .txt");
+    folder.misused(&format!("{predict} -o heights.txt"), &["name it .nc, not .txt"]);
     assert!(!folder.path("f.nc").exists() && !folder.path("f.svg").exists());
-}
-
-/// Runs a command of the program with its outputs on a small disk, the folder `disk`, which is then copied to the
-/// folder `left`; none where there are no mount namespaces.
-#[cfg(target_os = "linux")]
-fn on_small_disk(folder: &Folder, kilobytes: usize, command: &str) -> Option<std::process::Output> {
-    let allowed =
-        std::process::Command::new("unshare").args(["-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"]).output();
-    if !allowed.is_ok_and(|output| output.status.success()) {
-        eprintln!("skipped: no mount namespaces here");
-        return None;
-    }
-    let script = format!(
-        "mkdir -p disk; mount -t tmpfs -o size={kilobytes}k tmpfs disk; export TMPDIR=$PWD
-         $ROUGHSURFACE {command}; status=$?; rm -rf left; cp -r disk left; exit $status"
-    );
-    let mut shell = std::process::Command::new("unshare");
-    shell.args(["-rm", "sh", "-c", &script]).current_dir(folder.path("."));
-    Some(shell.env("ROUGHSURFACE", env!("CARGO_BIN_EXE_roughsurface")).output().unwrap())
 }
 
 /// Every file is on the disk, or in the place that the message names, and the summary is printed.
@@ -86,13 +68,11 @@ fn results_for_which_there_is_no_room_are_saved_elsewhere() {
     let sample = "sample plain.toml --table table.nc --asperities 9 --realizations 2 -o disk/f.nc";
     for (command, names) in [(predict, &["f.nc", "f.svg", "f.html"][..]), (sample, &["f.nc"])] {
         for kilobytes in [4, 16, 24, 32, 48, 64, 96, 128, 180] {
-            let Some(output) = on_small_disk(&folder, kilobytes, command) else { return };
-            let said = crate::folder::stderr(&output);
-            let printed = crate::folder::stdout(&output);
+            let Some(output) = folder.on_small_disk(kilobytes, command) else { return };
+            let said = output.stderr;
+            let printed = output.stdout;
             assert!(printed.contains("pressure"), "{kilobytes} kB: the summary is lost");
-            let places = said.split("the results are in ").skip(1);
-            let places: Vec<&Path> =
-                places.map(|rest| Path::new(rest.split_once(" instead").expect(&said).0)).collect();
+            let places = tests::folder::places(&said);
             assert_eq!(output.status.code(), Some(i32::from(!places.is_empty())), "{kilobytes} kB: {said}");
             assert_eq!(said.matches("no space left on the disk").count(), places.len(), "{said}");
             for name in names {
@@ -117,9 +97,9 @@ fn results_for_which_there_is_no_room_are_saved_elsewhere() {
 #[test]
 fn an_export_for_which_there_is_no_room_leaves_nothing() {
     let folder = folder();
-    folder.run_well("predict plain.toml --table table.nc --slip-rate 0.1..10:300 -o f.nc --quiet");
-    let Some(output) = on_small_disk(&folder, 4, "export f.nc -o disk/f.csv") else { return };
-    let said = crate::folder::stderr(&output);
+    folder.done("predict plain.toml --table table.nc --slip-rate 0.1..10:300 -o f.nc --quiet");
+    let Some(output) = folder.on_small_disk(4, "export f.nc -o disk/f.csv") else { return };
+    let said = output.stderr;
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("cannot write disk/f.csv: no space left on the disk"), "{said}");
     assert_eq!(std::fs::read_dir(folder.path("left")).unwrap().count(), 0);
@@ -130,19 +110,19 @@ fn an_export_for_which_there_is_no_room_leaves_nothing() {
 fn an_edited_surface_file_is_not_replaced() {
     let folder = folder();
     let line = "characterize map.nc --cutoff 1.6um --summits found -o map.toml";
-    folder.run_well(line);
-    folder.run_well(line);
+    folder.done(line);
+    folder.done(line);
     for name in ["map.toml", "map.heights.txt"] {
         let file = folder.path(name);
         let text = std::fs::read_to_string(&file).unwrap();
         for edited in [format!("{text}# note\n"), text.replacen('1', "2", 1)] {
             std::fs::write(&file, &edited).unwrap();
-            folder.refused(line, "was changed since `roughsurface characterize` wrote it");
+            folder.refused(line, &["was changed since `roughsurface characterize` wrote it"]);
             assert_eq!(std::fs::read_to_string(&file).unwrap(), edited);
         }
         std::fs::write(&file, &text).unwrap();
     }
-    folder.run_well("predict map.toml --table table.nc -o f.nc --quiet");
+    folder.done("predict map.toml --table table.nc -o f.nc --quiet");
 }
 
 /// A name that is given again by mistake.
@@ -154,14 +134,15 @@ fn results_of_other_commands_stay() {
         format!("sample plain.toml --table table.nc --asperities 9 --realizations 2 -o {name} --quiet")
     };
     for name in ["f.nc", "f.nc"] {
-        folder.run_well(&predict(name));
+        folder.done(&predict(name));
     }
-    folder.run_well(&sample("mc.nc"));
+    folder.done(&sample("mc.nc"));
     folder.refused(
         &predict("mc.nc"),
-        "is not a result of this command, but \"Friction of finite rough surfaces\"",
+        &["is not a result of this command, but \"Friction of finite rough surfaces\""],
     );
-    folder.refused(&sample("f.nc"), "is not a result of this command, but \"Friction of a rough surface\"");
+    folder
+        .refused(&sample("f.nc"), &["is not a result of this command, but \"Friction of a rough surface\""]);
 }
 
 /// The file of heights beside the surface file would replace the map.
@@ -171,11 +152,11 @@ fn the_file_of_heights_is_an_output_too() {
     std::fs::copy(folder.path("map.nc"), folder.path("map.heights.txt")).unwrap();
     folder.refused(
         "characterize map.heights.txt --summits found -o map.toml",
-        "the file of heights and the topography are the same file, map.heights.txt",
+        &["the file of heights and the topography are the same file, map.heights.txt"],
     );
     folder.refused(
         "characterize map.nc --summits found -o map.toml --plot map.heights.txt",
-        "--plot and the file of heights are the same file",
+        &["--plot and the file of heights are the same file"],
     );
-    folder.run_well("characterize map.heights.txt --cutoff 1.6um -o map.toml");
+    folder.done("characterize map.heights.txt --cutoff 1.6um -o map.toml");
 }

@@ -1,7 +1,7 @@
 //! The program from surface file and table to friction.nc: results, exit status, messages.
 
 use crate::demonstration::{STEEL, Weakening, table};
-use crate::folder::{Folder, json, program, stderr, stdout};
+use crate::folder::{folder_with, folder_with_table};
 use std::path::Path;
 
 use roughsurface::friction::{Settings, predict};
@@ -9,6 +9,8 @@ use roughsurface::surface::file::SurfaceFile;
 use tables::closed_forms::{NAMES, hertz};
 use tables::netcdf::DatasetWriter;
 use tables::table::Table;
+#[cfg(target_os = "linux")]
+use tests::programs::Ended;
 
 const SURFACE: &str = r#"
 [surface]
@@ -26,10 +28,10 @@ yield_strength = 400e6
 
 #[test]
 fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
-    let folder = Folder::with_table(SURFACE);
+    let folder = folder_with_table(SURFACE);
     let law = Weakening::new();
-    let output = folder.run_well("predict surface.toml --table table.nc -o friction.nc --plot f.svg");
-    let summary = stdout(&output);
+    let output = folder.done("predict surface.toml --table table.nc -o friction.nc --plot f.svg");
+    let summary = output.stdout;
     let footnotes = summary.lines().filter(|line| line.starts_with('[')).count();
     assert_eq!(summary.lines().count(), 2 + 1 + 15 + 1 + 2 + 6 + footnotes, "{summary}");
     assert!(std::fs::metadata(folder.path("f.svg")).unwrap().len() > 10_000);
@@ -58,27 +60,27 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
 
 #[test]
 fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
-    let folder = Folder::with(SURFACE);
+    let folder = folder_with(SURFACE);
     let cold = table(&Weakening::new());
     let mut hot = table(&Weakening { strength: 1.1, ..Weakening::new() });
     hot.metadata_mut().temperature = 500.0;
     hot.write(&folder.path("hot.nc")).unwrap();
     Table::new(vec![cold, hot]).unwrap().write(&folder.path("both.nc")).unwrap();
-    folder.refused("predict surface.toml --table both.nc -o friction.nc", "from 298 to 500 K");
+    folder.refused("predict surface.toml --table both.nc -o friction.nc", &["from 298 to 500 K"]);
 
     let at = |temperature: f64| {
         let text = SURFACE.replace("[query]", &format!("[query]\ntemperature = {temperature:?}"));
         folder.write("at.toml", text);
     };
     let friction = |arguments: &str| {
-        folder.run_well(&format!("{arguments} -o friction.nc"));
+        folder.done(&format!("{arguments} -o friction.nc"));
         folder.dataset("friction.nc").reals("mu", &[3, 5]).unwrap()
     };
     let expected = friction("predict surface.toml --table hot.nc");
     at(500.0);
     assert_eq!(friction("predict at.toml --table both.nc"), expected);
     assert_eq!(friction("predict at.toml --table hot.nc"), expected);
-    folder.run_well("sample at.toml --table both.nc --asperities 50 --realizations 4 -o mc.nc");
+    folder.done("sample at.toml --table both.nc --asperities 50 --realizations 4 -o mc.nc");
     at(400.0);
     let between = friction("predict at.toml --table both.nc");
     at(298.0);
@@ -87,18 +89,18 @@ fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
         assert!(*mu > cold.min(*hot) && *mu < cold.max(*hot), "{mu} {cold} {hot}");
     }
     let other = "is for an initial temperature of 500 K only, not 298 K";
-    folder.refused("predict at.toml --table hot.nc -o friction.nc", other);
+    folder.refused("predict at.toml --table hot.nc -o friction.nc", &[other]);
 }
 
 #[test]
 fn threads_change_nothing_and_random_surfaces_repeat() {
-    let folder = Folder::with(SURFACE);
+    let folder = folder_with(SURFACE);
     for (command, name) in [
         ("predict surface.toml --table model:brizmer", "friction.nc"),
         ("sample surface.toml --table model:brizmer --asperities 200 --realizations 20 --seed 3", "mc.nc"),
     ] {
         let values = |threads: usize| {
-            let output = folder.run_well(&format!("{command} -o {name} -q --threads {threads}"));
+            let output = folder.done(&format!("{command} -o {name} -q --threads {threads}"));
             assert!(output.stdout.is_empty() && output.stderr.is_empty());
             let file = folder.dataset(name);
             let shape: &[usize] = if name == "mc.nc" { &[3, 5, 20] } else { &[3, 5] };
@@ -110,7 +112,7 @@ fn threads_change_nothing_and_random_surfaces_repeat() {
 
 #[test]
 fn bad_input_ends_with_status_two_and_one_line() {
-    let folder = Folder::with(SURFACE);
+    let folder = folder_with(SURFACE);
     folder.write("typo.toml", SURFACE.replace("pressure", "presure"));
     folder.write("rigid.toml", format!("{SURFACE}[counterface]\n"));
     folder.write("table.nc.part", "a journal");
@@ -151,24 +153,24 @@ fn bad_input_ends_with_status_two_and_one_line() {
         ("predict surface.toml --table model:hertz -o f.nc --plot f.gif", "must be one of svg, png, pdf"),
         ("predict surface.toml --table model:hertz -o f.nc --report no/f.html", "its folder does not exist"),
     ] {
-        folder.refused(arguments, message);
+        folder.refused(arguments, &[message]);
     }
-    folder.misused("predict surface.toml", "--output");
+    folder.misused("predict surface.toml", &["--output"]);
     let compared =
-        folder.misused("predict surface.toml --table model:hertz -o f.nc --compare herz", "'herz'");
+        folder.misused("predict surface.toml --table model:hertz -o f.nc --compare herz", &["'herz'"]);
     assert!(NAMES.iter().chain(&["all"]).all(|model| compared.contains(model)), "{compared}");
     assert!(!Path::new(&folder.path("f.nc")).exists());
 }
 
 #[test]
 fn everything_asked_for_is_in_the_files() {
-    let folder = Folder::with_table(&format!(
+    let folder = folder_with_table(&format!(
         "{SURFACE}[uncertainty]\nheights_std = 0.005e-6\nasperity_radius = 10e-6\n"
     ));
-    let output = folder.run_well(
+    let output = folder.done(
         "predict surface.toml --table table.nc -o f.nc --compare kogut-etsion,jackson-green --report f.html --json",
     );
-    let summary = json(&output);
+    let summary = output.json();
     let file = folder.dataset("f.nc");
     let read = |name: &str, shape: &[usize]| file.reals(name, shape).unwrap();
     // The table is of Jackson–Green spheres with their static friction.
@@ -206,11 +208,11 @@ fn everything_asked_for_is_in_the_files() {
 #[test]
 fn another_table_stands_for_a_constant_of_the_material() {
     let folder =
-        Folder::with_table(&format!("{SURFACE}[uncertainty]\ntables = {{ strength = \"stronger.nc\" }}\n"));
+        folder_with_table(&format!("{SURFACE}[uncertainty]\ntables = {{ strength = \"stronger.nc\" }}\n"));
     // A tenth more of every shear stress: friction and its energies grow by as much.
     let stronger = table(&Weakening { strength: 1.1, ..Weakening::new() });
     stronger.write(&folder.path("stronger.nc")).unwrap();
-    folder.run_well("predict surface.toml --table table.nc -o f.nc --report f.html");
+    folder.done("predict surface.toml --table table.nc -o f.nc --report f.html");
     let file = folder.dataset("f.nc");
     let read = |name: &str| file.reals(name, &[3, 5]).unwrap();
     for name in ["mu", "Q", "G_weakening"] {
@@ -221,29 +223,28 @@ fn another_table_stands_for_a_constant_of_the_material() {
     let page = folder.read("f.html");
     assert!(page.contains("<li>strength another table</li>"));
     let closed_form = "predict surface.toml --table model:hertz -o f.nc";
-    folder.refused(closed_form, "uncertainty.tables: has no meaning for a closed form");
+    folder.refused(closed_form, &["uncertainty.tables: has no meaning for a closed form"]);
 }
 
 /// The shipped tables state their constants.
 #[test]
 fn another_table_differs_in_one_constant() {
-    let folder =
-        Folder::with(&SURFACE.replace("[query]", "[query]\nrate_step = { before = 0.1, after = 1 }"));
+    let folder = folder_with(&SURFACE.replace("[query]", "[query]\nrate_step = { before = 0.1, after = 1 }"));
     let line = "predict surface.toml --table copper -o f.nc --set uncertainty.tables={other=\"NAME\"}";
     folder.refused(
         &format!("{} -q", line.replace("NAME", "copper")),
-        "uncertainty.tables.other: \"copper\" has the constants of the table",
+        &["uncertainty.tables.other: \"copper\" has the constants of the table"],
     );
-    let said = stderr(&folder.run_well(&line.replace("NAME", "steel-1045")));
+    let said = folder.done(&line.replace("NAME", "steel-1045")).stderr;
     assert!(said.contains("uncertainty.tables.other differs from the table in "), "{said}");
 
     // Neither the other table nor the step is of a sample.
     let line = "sample surface.toml --table copper --asperities 1000 --realizations 2 -o s.nc";
-    let said = stderr(&folder.run_well(&format!("{line} --set uncertainty.heights_std=1e-9")));
+    let said = folder.done(&format!("{line} --set uncertainty.heights_std=1e-9")).stderr;
     for key in ["query.rate_step", "[uncertainty]"] {
         assert!(said.contains(&format!("{key} is not used: `roughsurface predict` computes it")), "{said}");
     }
-    folder.misused(&format!("{line} --rate-step 0.1..1"), "--rate-step");
+    folder.misused(&format!("{line} --rate-step 0.1..1"), &["--rate-step"]);
 }
 
 /// Names that are not UTF-8, and outputs that are links: the files appear at the targets of the links.
@@ -253,8 +254,8 @@ fn names_may_be_anything_and_links_are_followed() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
 
-    let folder = Folder::with(SURFACE);
-    let odd = folder.path("").join(OsStr::from_bytes(b"a folder \xff"));
+    let folder = folder_with(SURFACE);
+    let odd = folder.path(OsStr::from_bytes(b"a folder \xff"));
     std::fs::create_dir_all(&odd).unwrap();
     let [surface, output] =
         [&b"surface \xff.toml"[..], b"friction \xfe.nc"].map(|name| odd.join(OsStr::from_bytes(name)));
@@ -262,30 +263,23 @@ fn names_may_be_anything_and_links_are_followed() {
     std::os::unix::fs::symlink("elsewhere.nc", &output).unwrap();
     std::os::unix::fs::symlink("elsewhere.html", odd.join("report.html")).unwrap();
     let run = |output: &Path| {
-        let mut command = program(&folder.path(""));
-        command
-            .arg("predict")
-            .arg(&surface)
-            .args(["--table", "model:hertz", "--extrapolate", "-o"])
-            .arg(output);
-        command.arg("--report").arg(odd.join("report.html"));
-        command.output().unwrap()
+        let mut command = folder.command("predict --table model:hertz --extrapolate");
+        command.arg(&surface).arg("-o").arg(output).arg("--report").arg(odd.join("report.html"));
+        Ended::of(&mut command)
     };
-    let result = run(&output);
-    assert_eq!(result.status.code(), Some(0), "{}", stderr(&result));
+    run(&output).with_status(0);
     for (link, target) in [(output, "elsewhere.nc"), (odd.join("report.html"), "elsewhere.html")] {
         assert!(link.is_symlink() && odd.join(target).is_file(), "{}", target);
     }
     let _socket = std::os::unix::net::UnixListener::bind(odd.join("socket.nc")).unwrap();
-    let refused = run(&odd.join("socket.nc"));
-    assert_eq!(refused.status.code(), Some(2));
-    assert!(stderr(&refused).contains("it is not a regular file"));
+    let refused = run(&odd.join("socket.nc")).with_status(2);
+    assert!(refused.stderr.contains("it is not a regular file"));
 }
 
 /// Of the panels that the option names, those that this figure will not have are refused at once.
 #[test]
 fn a_panel_is_refused_before_the_computation_or_drawn() {
-    let folder = Folder::with_table(SURFACE);
+    let folder = folder_with_table(SURFACE);
     let predict = "predict surface.toml -o friction.nc --plot f.svg";
     let panels = "rate, friction, static, slide, area, separation, load, regimes";
     for (arguments, found) in [
@@ -293,14 +287,14 @@ fn a_panel_is_refused_before_the_computation_or_drawn() {
         ("--table table.nc --panel temperature", format!("no panel temperature: it has {panels}")),
         ("--table model:hertz --compare all --panel temperature", format!("it has {panels}, models")),
     ] {
-        folder.refused(&format!("{predict} {arguments}"), &found);
+        folder.refused(&format!("{predict} {arguments}"), &[&found]);
         assert!(!folder.path("friction.nc").exists());
     }
     let asked = "--panel load --panel temperature --pressure 1e5,1e6 -q";
-    folder.run_well(&format!("{predict} --table copper {asked}"));
+    folder.done(&format!("{predict} --table copper {asked}"));
     let figure = folder.read("f.svg");
     assert!(figure.contains("panel load") && figure.contains("panel temperature"));
-    folder.run_well(&format!("{predict} --table table.nc --panel rate --pressure 1e5,1e6 -q"));
+    folder.done(&format!("{predict} --table table.nc --panel rate --pressure 1e5,1e6 -q"));
     let figure = folder.read("f.svg");
     assert!(figure.contains("1e5 Pa"));
     assert!(!figure.contains("100000 Pa"));

@@ -17,7 +17,7 @@ use roughsurface::topography::readers as topography;
 use roughsurface::topography::readers::Reading;
 use tables::quantity::Quantity;
 use tables::table::{Axes, Cell, Metadata, Slice, Table};
-use tests::programs::{execute, in_little_memory, stderr};
+use tests::programs::{execute, in_little_memory};
 use tests::{files, root};
 
 use mutations::{Random, corrupt, mutate};
@@ -172,10 +172,10 @@ fn no_foreign_file_crashes_a_program() {
             execute(name, folder.path(), arguments)
         };
         let output = run(&seed);
-        assert!(output.status.success(), "{}", stderr(&output));
+        assert!(output.status.success(), "{}", output.stderr);
         for number in 0..inputs {
             let output = run(&corrupt(&seed, &mut Random(number)));
-            let said = stderr(&output);
+            let said = output.stderr;
             let code = output.status.code();
             assert!(code.is_some_and(|code| code < 3), "{name} {number}: {}: {said}", output.status);
             assert!(!said.contains("internal error"), "{name} {number}: {said}");
@@ -236,7 +236,7 @@ fn no_bomb_and_no_finding_breaks_a_reader() {
     for name in ["reads_the_bombs", "reads_the_findings"] {
         let begun = std::time::Instant::now();
         let output = in_little_memory(name, &[]);
-        let said = stderr(&output);
+        let said = output.stderr;
         let last: Vec<&str> = said.lines().rev().take(4).collect();
         assert!(output.status.success(), "{name}: {}: {last:?}", output.status);
         // None of them takes minutes.
@@ -262,7 +262,7 @@ fn survive(kinds: &[&str]) {
                 break;
             }
             let at = std::fs::read_to_string(folder.path().join("at")).expect("the seeds are accepted");
-            let said = stderr(&output);
+            let said = output.stderr;
             broken.push(format!(
                 "{kind} {at}: {}: {}",
                 output.status,
