@@ -3,11 +3,9 @@
 use crate::integral::asperity_at_slip::AsperityAtSlip;
 use crate::surface::heights::Heights;
 use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
-use tables::closed_forms::ElasticPlastic;
 use tables::law::{AsperityLaw, Estimate, LookupError, OptionalEstimate, Response};
 
-pub const STEEL: ElasticPlastic =
-    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
+pub use tables::closed_forms::STEEL;
 
 /// Spheres of 0.1 mm at 1 m/s, before the slide.
 pub fn asperity(law: &dyn AsperityLaw) -> AsperityAtSlip<'_> {

@@ -1,12 +1,12 @@
 //! The program from surface file and table to friction.nc: results, exit status, messages.
 
-use crate::demonstration::{STEEL, Weakening, table};
+use crate::demonstration::{Weakening, table};
 use crate::folder::{folder_with, folder_with_table};
 use std::path::Path;
 
 use roughsurface::friction::{Settings, predict};
 use roughsurface::surface::file::SurfaceFile;
-use tables::closed_forms::{NAMES, hertz};
+use tables::closed_forms::{NAMES, STEEL, hertz};
 use tables::netcdf::DatasetWriter;
 use tables::table::Table;
 #[cfg(target_os = "linux")]

@@ -15,6 +15,10 @@ pub struct ElasticPlastic {
     pub yield_strength: f64,
 }
 
+/// A mild steel, of which examples and tests are.
+pub const STEEL: ElasticPlastic =
+    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
+
 impl ElasticPlastic {
     /// E* = E/(1−ν²), Pa.
     pub fn contact_modulus(&self) -> f64 {

@@ -18,5 +18,5 @@ mod model;
 pub mod partial_slip;
 pub mod shear_limit;
 
-pub use elastic_plastic::ElasticPlastic;
+pub use elastic_plastic::{ElasticPlastic, STEEL};
 pub use model::{ClosedForm, NAMES, UnknownClosedForm, closed_form};

@@ -2,6 +2,7 @@
 
 use std::ops::{Index, IndexMut};
 
+use crate::law::Response;
 use crate::quantity::{Estimate, History, Quantity, Scalars, same};
 
 /// Results at one interference and slip rate. Values not known are NaN.
@@ -38,6 +39,30 @@ impl Cell {
     /// histories by [`Cell::with_history`].
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Histories of a slide without errors, and the scalars at its end and at the end of the press.
+    pub(super) fn of_slide(contact_radius: f64, states: &[Response]) -> Self {
+        let history =
+            |of: fn(&Response) -> Estimate| states.iter().map(|state| of(state).value).collect::<Vec<f64>>();
+        let (load, friction) = (history(|state| state.load), history(|state| state.friction));
+        let (area, temperature) = (history(|state| state.area), history(|state| state.temperature_max));
+        let mu: Vec<f64> = friction.iter().zip(&load).map(|(friction, load)| friction / load).collect();
+        let end = states.len() - 1;
+        Self::new()
+            .with(Quantity::ContactRadius, contact_radius, 0.0)
+            .with(Quantity::Mu, mu[end], 0.0)
+            .with(Quantity::Load, load[end], 0.0)
+            .with(Quantity::LoadPress, load[0], 0.0)
+            .with(Quantity::Friction, friction[end], 0.0)
+            .with(Quantity::Area, area[end], 0.0)
+            .with(Quantity::AreaPress, area[0], 0.0)
+            .with(Quantity::TemperatureMax, temperature[end], 0.0)
+            .with_history(Quantity::Mu, mu)
+            .with_history(Quantity::Load, load)
+            .with_history(Quantity::Friction, friction)
+            .with_history(Quantity::Area, area)
+            .with_history(Quantity::TemperatureMax, temperature)
     }
 
     /// Sets one scalar.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::FractureEnergy;
+use crate::closed_forms::ElasticPlastic;
 use crate::closed_forms::shear_limit::ShearLimit;
 
 /// Origin and constants of a table.
@@ -59,6 +60,21 @@ pub struct Metadata {
 }
 
 impl Metadata {
+    /// Of spheres of `radius` (m) without heat at an initial temperature (K), which slide at the shear strength of the
+    /// material.
+    pub fn of_sphere(material: &ElasticPlastic, radius: f64, temperature: f64) -> Self {
+        Self {
+            asperity_radius: radius,
+            critical_interference: material.critical_interference(radius),
+            contact_modulus: material.contact_modulus(),
+            poisson_ratio: material.poisson_ratio,
+            yield_strength: material.yield_strength,
+            strength_factor: Some(1.0),
+            temperature,
+            ..Self::default()
+        }
+    }
+
     /// Limit of the shear traction at the initial temperature; none in full stick, without friction, and where the file does
     /// not state it.
     pub fn shear_limit(&self) -> Option<ShearLimit> {

@@ -4,7 +4,7 @@
 //! is a [`Slice`], made of [`Cell`]s: scalars with errors, and histories over the slip axis. A table of one temperature
 //! is one slice.
 //!
-//! Depends on `quantity` and on `closed_forms` for the limit of friction. `interpolation` reads a table between its points, `netcdf` stores it.
+//! Depends on `quantity`, `law` and `closed_forms`. `interpolation` reads a table between its points, `netcdf` stores it.
 
 mod axes;
 mod cell;

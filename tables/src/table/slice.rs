@@ -2,6 +2,7 @@
 
 use super::axes::check_axis;
 use super::{Axes, Cell, Metadata, Status, TableError};
+use crate::law::Response;
 use crate::quantity::Quantity;
 
 /// A table at one initial temperature: results over interference and slip rate.
@@ -70,6 +71,24 @@ impl Slice {
             slice.set_cell(i, j, cell(interference, slip_rate))?;
         }
         Ok(slice)
+    }
+
+    /// A slice of spheres with this response to interference (ω₀/ω_c), slip rate (m/s) and slip (m): its histories, and the
+    /// scalars that follow from them, without errors.
+    pub fn of_response(
+        axes: Axes,
+        metadata: Metadata,
+        response: impl Fn(f64, f64, f64) -> Response,
+    ) -> Result<Self, TableError> {
+        let slips = axes.slip.clone();
+        Self::filled(axes, metadata, |interference, slip_rate| {
+            let at = |slip: f64| response(interference, slip_rate, slip);
+            let contact_radius = (at(0.0).area.value / std::f64::consts::PI).sqrt();
+            Cell::of_slide(
+                contact_radius,
+                &slips.iter().map(|slip| at(slip * contact_radius)).collect::<Vec<_>>(),
+            )
+        })
     }
 
     /// Coordinates of the grid.

@@ -1,7 +1,5 @@
 use super::*;
-
-const STEEL: ElasticPlastic =
-    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
+use crate::closed_forms::STEEL;
 
 fn sliding(name: &str, interference: f64) -> Response {
     let law = closed_form(name, &STEEL).unwrap();

@@ -1,6 +1,7 @@
 //! Below the first row, above the last, outside the table, and the errors of its points.
 
 use super::*;
+use crate::table::Cell;
 
 #[test]
 fn continuous_and_elastic_below_the_first_row() {

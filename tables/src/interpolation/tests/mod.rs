@@ -3,13 +3,11 @@
 mod limits;
 
 use super::*;
-use crate::closed_forms::{ClosedForm, ElasticPlastic, hertz};
+use crate::closed_forms::{ClosedForm, STEEL, hertz};
 use crate::numbers::Spacing::Log;
 use crate::quantity::Quantity;
-use crate::table::{Axes, Cell, Metadata};
+use crate::table::{Axes, Metadata};
 
-const STEEL: ElasticPlastic =
-    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
 const RADIUS: f64 = 1e-3;
 const BASE: f64 = 298.0;
 /// V* of 1/(1 + V/V*) for the contact of first yield, m/s.
@@ -35,43 +33,16 @@ fn slice_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> Slice {
         0.0, 1e-4, 2e-4, 4e-4, 7e-4, 1e-3, 1.3e-3, 1.6e-3, 2e-3, 3e-3, 0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.75,
         1.0, 1.35, 1.7, 2.0,
     ];
-    let metadata = Metadata {
-        asperity_radius: RADIUS,
-        critical_interference: STEEL.critical_interference(RADIUS),
-        contact_modulus: STEEL.contact_modulus(),
-        poisson_ratio: STEEL.poisson_ratio,
-        yield_strength: STEEL.yield_strength,
-        strength_factor: Some(1.0),
-        temperature: BASE,
-        heat_partition: 0.5,
-        ..Metadata::default()
-    };
     let axes = Axes { interference, slip_rate, slip };
-    let cell = |omega: f64, rate: f64| {
-        let area = truth(omega, 0.0, 0.0).area.value;
-        let a0 = (area / std::f64::consts::PI).sqrt();
-        let states: Vec<Response> = axes.slip.iter().map(|slip| truth(omega, rate, slip * a0)).collect();
-        let end = states[states.len() - 1];
-        let column = |field: fn(&Response) -> Estimate| -> Vec<f64> {
-            states.iter().map(|state| field(state).value).collect()
-        };
-        let (p, q) = (column(|s| s.load), column(|s| s.friction));
-        let mu = q.iter().zip(&p).map(|(q, p)| q / p).collect();
-        Cell::new()
-            .with(Quantity::ContactRadius, a0, 0.0)
-            .with(Quantity::Load, end.load.value, 0.0)
-            .with(Quantity::Friction, end.friction.value, 0.02 * end.friction.value)
-            .with(Quantity::Area, area, 0.0)
-            .with(Quantity::Mu, end.friction.value / end.load.value, 0.0)
-            .with(Quantity::EnergyRelease, 1e-3 * a0, 0.0)
-            .with(Quantity::TemperatureMax, end.temperature_max.value, 0.0)
-            .with_history(Quantity::Load, p)
-            .with_history(Quantity::Friction, q)
-            .with_history(Quantity::Mu, mu)
-            .with_history(Quantity::Area, column(|s| s.area))
-            .with_history(Quantity::TemperatureMax, column(|s| s.temperature_max))
-    };
-    Slice::filled(axes.clone(), metadata, cell).unwrap()
+    let metadata = Metadata { heat_partition: 0.5, ..Metadata::of_sphere(&STEEL, RADIUS, BASE) };
+    let mut slice = Slice::of_response(axes, metadata, truth).unwrap();
+    for (i, j) in slice.grid() {
+        let cell = slice.cell(i, j).unwrap().clone();
+        let (friction, radius) = (cell[Quantity::Friction].value, cell[Quantity::ContactRadius].value);
+        let cell = cell.with(Quantity::Friction, friction, 0.02 * friction);
+        slice.set_cell(i, j, cell.with(Quantity::EnergyRelease, 1e-3 * radius, 0.0)).unwrap();
+    }
+    slice
 }
 
 fn table_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> InterpolatedTable {
