@@ -14,7 +14,7 @@ use tables::netcdf::JOURNAL_ROLE;
 use tables::netcdf::streams::say;
 use tables::numbers;
 use tables::quantity::Quantity;
-use tables::table::{LABEL_DIGITS, Slice, Status, Table};
+use tables::table::{LABEL_DIGITS, Slice, Table};
 
 use super::progress::watched;
 use super::{Display, Failure, TabulateArguments, command_line, outputs, timings};
@@ -234,23 +234,20 @@ fn summary(tabulation: &Tabulation) -> String {
 fn as_json(table: &Table, output: &str) -> Value {
     let of_slice = |slice: &Slice| -> Vec<Value> {
         let cell = |(i, j)| {
-            let (status, reason, summary) = match slice.status(i, j) {
-                Status::NotRun => ("not run", None, Value::Null),
-                Status::Failed(reason) => ("failed", Some(reason), Value::Null),
-                Status::Done(cell) => {
-                    let entry = |quantity: Quantity| {
-                        let descriptor = quantity.descriptor();
-                        (descriptor.name, json!(cell[quantity].in_unit(descriptor.units)))
-                    };
-                    ("done", None, Quantity::SCALARS.into_iter().map(entry).collect())
-                }
-            };
+            let status = slice.status(i, j);
+            let summary = slice.cell(i, j).map(|cell| {
+                let entry = |quantity: Quantity| {
+                    let descriptor = quantity.descriptor();
+                    (descriptor.name, json!(cell[quantity].in_unit(descriptor.units)))
+                };
+                Quantity::SCALARS.into_iter().map(entry).collect::<Value>()
+            });
             let (interference, slip_rate) = slice.coordinates(i, j);
             let mut cell = json!({
                 "interference": interference,
                 "slip_rate": slip_rate,
-                "status": status,
-                "reason": reason,
+                "status": status.name(),
+                "reason": status.reason(),
                 "summary": summary,
             });
             if table.slices().len() > 1 {

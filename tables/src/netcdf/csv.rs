@@ -4,7 +4,7 @@ use std::io::Write;
 
 use crate::numbers::exact;
 use crate::quantity::{Estimate, Quantity, Scalars};
-use crate::table::{Cell, Slice, Status, Table};
+use crate::table::{Cell, Slice, Table};
 
 impl Table {
     /// A line for each grid point: coordinates, state, every scalar with its error, G/G_IIc if G_IIc is known. Names
@@ -25,19 +25,15 @@ impl Table {
         }
         file.write_record(&header)?;
         for (table, (i, j), mut line) in self.points() {
-            let (state, reason) = match table.status(i, j) {
-                Status::Done(_) => ("done", ""),
-                Status::NotRun => ("not run", ""),
-                Status::Failed(reason) => ("failed", reason.as_str()),
-            };
-            line.push(state.to_string());
+            let status = table.status(i, j);
+            line.push(status.name().to_string());
             let cell = table.cell(i, j);
             for (_, estimate) in cell.map_or_else(Scalars::default, |cell| cell.scalars).iter() {
                 line.extend([number(estimate.value), number(estimate.error)]);
             }
             line.push(cell.map_or(String::new(), |cell| cell.steady.to_string()));
             line.push(cell.map_or(String::new(), |cell| number(cell.wall_time)));
-            line.push(reason.to_string());
+            line.push(status.reason().unwrap_or_default().to_string());
             line.push(cell.map_or(String::new(), |cell| cell.warnings.join("; ")));
             if fracture {
                 let ratio = cell.and_then(|cell| table.energy_ratio(cell)).unwrap_or(Estimate::UNKNOWN);

@@ -7,6 +7,7 @@ pub(super) const DIMENSIONS: [&str; 4] = ["temperature", "interference", "slip_r
 /// G_IIc = coefficient·aⁿ in J m-2, contact radius a in m.
 pub(super) const FRACTURE_ENERGY: &str = "fracture_energy_coefficient";
 pub(super) const FRACTURE_EXPONENT: &str = "fracture_energy_radius_exponent";
+/// Names of the states of a cell by [`code`](crate::table::Status::code).
 pub(super) const STATUS_MEANINGS: [&str; 3] = ["done", "not_run", "failed"];
 
 /// A number of the metadata as a global attribute, in SI units.

@@ -9,7 +9,7 @@ use super::table_format::{
 use super::{AttributeValue, DatasetError, DatasetWriter, described, schema};
 use crate::quantity::{Descriptor, Estimate, Quantity, Stored};
 use crate::table::fracture::FractureEnergy;
-use crate::table::{Cell, Metadata, Slice, Status, Table};
+use crate::table::{Cell, Metadata, Slice, Table};
 
 impl Table {
     /// Writes the table; the file appears whole or not at all. The dimension `temperature` is there if there are
@@ -178,14 +178,9 @@ impl TableWriter<'_> {
         let time_taken = [long_name("time the run took"), ("units", "s".into())];
         self.file.reals("wall_time", grid, &times, &time_taken)?;
 
-        let state = |status| match status {
-            &Status::Done(_) => (0, ""),
-            Status::NotRun => (1, ""),
-            Status::Failed(reason) => (2, reason.as_str()),
-        };
         let (codes, reasons): (Vec<i8>, Vec<&str>) = (self.slices.iter())
             .flat_map(|slice| slice.grid().map(move |(i, j)| slice.status(i, j)))
-            .map(state)
+            .map(|status| (status.code(), status.reason().unwrap_or_default()))
             .unzip();
         let of_run = [long_name("state of the run"), ("standard_name", "status_flag".into())];
         self.file.flags("status", grid, &codes, &STATUS_MEANINGS, &of_run)?;

@@ -129,3 +129,30 @@ pub enum Status {
     /// The run failed, for this reason.
     Failed(String),
 }
+
+impl Status {
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Done(_) => "done",
+            Self::NotRun => "not run",
+            Self::Failed(_) => "failed",
+        }
+    }
+
+    /// Its number in files.
+    pub fn code(&self) -> i8 {
+        match self {
+            Self::Done(_) => 0,
+            Self::NotRun => 1,
+            Self::Failed(_) => 2,
+        }
+    }
+
+    /// Why the run failed, if it did.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Self::Failed(reason) => Some(reason),
+            _ => None,
+        }
+    }
+}

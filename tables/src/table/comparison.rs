@@ -173,11 +173,8 @@ fn find(axis: &[f64], value: f64) -> Option<usize> {
 }
 
 fn in_words(status: &Status) -> String {
-    match status {
-        Status::Done(_) => "done".to_string(),
-        Status::NotRun => "not run".to_string(),
-        Status::Failed(reason) => format!("failed: {reason}"),
-    }
+    let reason = status.reason().map_or(String::new(), |reason| format!(": {reason}"));
+    status.name().to_string() + &reason
 }
 
 #[cfg(test)]

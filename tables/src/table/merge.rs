@@ -12,10 +12,7 @@ impl Slice {
 
     /// Grid points that failed, by their [`label`](Self::label), and why.
     pub fn failures(&self) -> impl Iterator<Item = (String, &str)> {
-        self.grid().filter_map(|(i, j)| match self.status(i, j) {
-            Status::Failed(reason) => Some((self.label(i, j), reason.as_str())),
-            _ => None,
-        })
+        self.grid().filter_map(|(i, j)| Some((self.label(i, j), self.status(i, j).reason()?)))
     }
 
     /// Takes from `other` the cells done there and not here, or failed there and not run

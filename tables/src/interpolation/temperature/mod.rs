@@ -14,7 +14,7 @@ mod column;
 use super::steffen::locate;
 use super::{InterpolatedTable, blend_one, cubic};
 use crate::numbers::plain;
-use crate::table::{Cell, FractureEnergy, Metadata, Slice, Status, Table, TemperatureError};
+use crate::table::{Cell, FractureEnergy, Metadata, Slice, Table, TemperatureError};
 use column::{Column, Line, Units};
 
 /// Temperatures closer than this, relatively, are the same.
@@ -89,10 +89,8 @@ impl Table {
         };
         let mut table = Slice::new(self.axes().clone(), metadata).expect("axes of a table are axes");
         for (i, j) in table.grid() {
-            if let Some((side, reason)) = sides.iter().find_map(|side| match side.status(i, j) {
-                Status::Failed(reason) => Some((side, reason)),
-                _ => None,
-            }) {
+            let failed = sides.iter().find_map(|side| Some((side, side.status(i, j).reason()?)));
+            if let Some((side, reason)) = failed {
                 let own = plain(side.metadata().temperature);
                 table.mark_failed(i, j, format!("at {own} K: {reason}"));
             } else if sides.iter().all(|side| side.cell(i, j).is_some()) {

@@ -3,7 +3,7 @@
 use super::*;
 use crate::law::AsperityLaw;
 use crate::quantity::Quantity;
-use crate::table::Axes;
+use crate::table::{Axes, Status};
 
 const TEMPERATURES: [f64; 5] = [300.0, 450.0, 600.0, 800.0, 1000.0];
 const INITIAL_STRENGTH: f64 = 800e6;
