@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 
 use crate::netcdf::{DatasetError, DatasetReader, DatasetWriter};
 use crate::quantity::Quantity;
-use crate::table::{Cell, Metadata, Slice, Status, Table};
+use crate::table::{ATTRIBUTES, Cell, Group, Metadata, Slice, Status, Table};
 
 /// Kind of file, in the attribute `schema`.
 pub const SCHEMA: &str = "asperity-table";
@@ -161,25 +161,12 @@ impl Content {
         if !metadata.counterface.is_empty() {
             self.text(&metadata.counterface);
         }
-        let optional = |value: Option<f64>| value.unwrap_or(f64::NAN);
-        self.reals(&[
-            metadata.asperity_radius,
-            metadata.critical_interference,
-            metadata.contact_modulus,
-            metadata.poisson_ratio,
-            metadata.yield_strength,
-            optional(metadata.strength_factor),
-            metadata.temperature,
-            metadata.heat_partition,
-            metadata.gap_conductance,
-            optional(metadata.interpolation_tolerance),
-        ]);
-        // Film and rate law are covered where there is one.
-        if metadata.film_strength.is_some() {
-            self.reals(&[optional(metadata.film_strength), optional(metadata.pressure_coefficient)]);
-        }
-        if metadata.rate_coefficient.is_some() {
-            self.reals(&[optional(metadata.rate_coefficient), optional(metadata.rate_reference)]);
+        for group in [Group::Table, Group::Film, Group::RateLaw] {
+            let of_group = ATTRIBUTES.iter().filter(|attribute| attribute.group == group);
+            let values: Vec<Option<f64>> = of_group.map(|attribute| (attribute.get)(metadata)).collect();
+            if values[0].is_some() {
+                self.reals(&values.iter().map(|value| value.unwrap_or(f64::NAN)).collect::<Vec<f64>>());
+            }
         }
     }
 

@@ -3,14 +3,11 @@
 use std::path::Path;
 
 use super::input::read_text;
-use super::table_format::{
-    FILM_OVER_TEMPERATURE, FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES, OVER_TEMPERATURE,
-    REAL_ATTRIBUTES, TEXT_ATTRIBUTES, history_name,
-};
+use super::table_format::{FRACTURE_ENERGY, FRACTURE_EXPONENT, TEXT_ATTRIBUTES, history_name};
 use super::{DatasetError, DatasetReader, schema};
 use crate::quantity::Quantity;
 use crate::table::fracture::FractureEnergy;
-use crate::table::{Axes, Cell, Metadata, Slice, Table, TableError};
+use crate::table::{ATTRIBUTES, Attribute, Axes, Cell, Metadata, Slice, Table, TableError};
 
 impl Table {
     /// Reads a table.
@@ -24,14 +21,15 @@ impl Table {
             slip: file.coordinate("slip")?,
         };
         let mut metadata = Metadata::default();
-        for (name, place) in REAL_ATTRIBUTES {
-            *place(&mut metadata) = file.attribute_real(name)?;
+        for attribute in &ATTRIBUTES {
+            let value = match attribute.required {
+                true => Some(file.attribute_real(attribute.name)?),
+                false => file.optional_real(attribute.name)?,
+            };
+            value.into_iter().for_each(|value| (attribute.set)(&mut metadata, value));
         }
         for (name, place) in TEXT_ATTRIBUTES {
             *place(&mut metadata) = file.optional_text(name)?.unwrap_or_default();
-        }
-        for (name, place) in OPTIONAL_ATTRIBUTES {
-            *place(&mut metadata) = file.optional_real(name)?;
         }
         metadata.fracture_energy = match file.optional_real(FRACTURE_ENERGY)? {
             None => None,
@@ -79,17 +77,13 @@ fn read_temperatures(file: &DatasetReader, common: &Metadata) -> Result<Vec<Meta
     let temperatures = file.coordinate("temperature")?;
     let mut members = vec![common.clone(); temperatures.len()];
     let shape = [temperatures.len()];
-    for ((name, place), ..) in OVER_TEMPERATURE {
-        let values = file.reals(name, &shape)?;
-        members.iter_mut().zip(values).for_each(|(member, value)| *place(member) = value);
+    // A file may lack the optional ones as variables.
+    let stated = |attribute: &&Attribute| attribute.required || file.has(attribute.name);
+    for attribute in Attribute::changing(common).filter(stated) {
+        let values = file.reals(attribute.name, &shape)?;
+        members.iter_mut().zip(values).for_each(|(member, value)| (attribute.set)(member, value));
     }
     members.iter_mut().zip(temperatures).for_each(|(member, kelvin)| member.temperature = kelvin);
-    for ((name, place), ..) in FILM_OVER_TEMPERATURE {
-        if common.film_strength.is_some() && file.has(name) {
-            let values = file.reals(name, &shape)?;
-            members.iter_mut().zip(values).for_each(|(member, value)| *place(member) = Some(value));
-        }
-    }
     if common.fracture_energy.is_some() {
         let coefficients = file.reals(FRACTURE_ENERGY, &shape)?;
         for (member, coefficient) in members.iter_mut().zip(coefficients) {

@@ -3,13 +3,12 @@
 use std::path::Path;
 
 use super::table_format::{
-    DIMENSIONS, FILM_OVER_TEMPERATURE, FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES,
-    OVER_TEMPERATURE, REAL_ATTRIBUTES, STATUS_MEANINGS, TEXT_ATTRIBUTES, history_name,
+    DIMENSIONS, FRACTURE_ENERGY, FRACTURE_EXPONENT, STATUS_MEANINGS, TEXT_ATTRIBUTES, history_name,
 };
 use super::{AttributeValue, DatasetError, DatasetWriter, described, schema};
 use crate::quantity::{Descriptor, Estimate, Quantity, Stored};
 use crate::table::fracture::FractureEnergy;
-use crate::table::{Cell, Metadata, Slice, Table};
+use crate::table::{ATTRIBUTES, Attribute, Cell, Metadata, Slice, Table};
 
 impl Table {
     /// Writes the table; the file appears whole or not at all. The dimension `temperature` is there if there are
@@ -37,12 +36,11 @@ fn write(path: &Path, slices: &[Slice]) -> Result<(), DatasetError> {
             file.attribute(name, text.as_str())?;
         }
     }
-    for (name, value) in REAL_ATTRIBUTES {
-        file.attribute(name, *value(&mut metadata))?;
-    }
-    for (name, value) in OPTIONAL_ATTRIBUTES {
-        if let Some(value) = *value(&mut metadata) {
-            file.attribute(name, value)?;
+    for required in [true, false] {
+        for attribute in ATTRIBUTES.iter().filter(|attribute| attribute.required == required) {
+            if let Some(value) = (attribute.get)(&metadata) {
+                file.attribute(attribute.name, value)?;
+            }
         }
     }
     schema::stamp(&mut file, slices)?;
@@ -84,14 +82,10 @@ impl TableWriter<'_> {
         let mut variable = |name: &str, units: &str, long_name: &str, value: &dyn Fn(&Metadata) -> f64| {
             self.file.reals(name, &["temperature"], &of_members(value), &described(units, long_name))
         };
-        for ((name, value), units, long_name) in OVER_TEMPERATURE {
-            variable(name, units, long_name, &|metadata| *value(&mut metadata.clone()))?;
-        }
-        if slices[0].metadata().film_strength.is_some() {
-            for ((name, value), units, long_name) in FILM_OVER_TEMPERATURE {
-                let value = |metadata: &Metadata| value(&mut metadata.clone()).unwrap_or(f64::NAN);
-                variable(name, units, long_name, &value)?;
-            }
+        for attribute in Attribute::changing(slices[0].metadata()) {
+            let Some((units, long_name)) = attribute.over_temperature else { continue };
+            let value = |metadata: &Metadata| (attribute.get)(metadata).unwrap_or(f64::NAN);
+            variable(attribute.name, units, long_name, &value)?;
         }
         if let Some(law) = slices[0].metadata().fracture_energy {
             let units = if law.radius_exponent == 0 { "J m-2" } else { "J m-3" };

@@ -6,6 +6,7 @@
 //!
 //! Depends on `quantity`, `law` and `closed_forms`. `interpolation` reads a table between its points, `netcdf` stores it.
 
+mod attributes;
 mod axes;
 mod cell;
 pub mod comparison;
@@ -15,6 +16,7 @@ mod metadata;
 pub mod sentences;
 mod slice;
 
+pub(crate) use attributes::{ATTRIBUTES, Attribute, Group};
 pub use axes::Axes;
 pub use cell::{Cell, Status};
 pub use fracture::FractureEnergy;
@@ -215,16 +217,10 @@ impl Table {
 
 /// The metadata without what changes with the initial temperature.
 fn common(metadata: &Metadata) -> Metadata {
-    Metadata {
-        temperature: 0.0,
-        critical_interference: 0.0,
-        contact_modulus: 0.0,
-        yield_strength: 0.0,
-        film_strength: metadata.film_strength.map(|_| 0.0),
-        pressure_coefficient: metadata.pressure_coefficient.map(|_| 0.0),
-        fracture_energy: metadata.fracture_energy.map(|law| FractureEnergy { coefficient: 0.0, ..law }),
-        ..metadata.clone()
-    }
+    let fracture_energy = metadata.fracture_energy.map(|law| FractureEnergy { coefficient: 0.0, ..law });
+    let mut common = Metadata { temperature: 0.0, fracture_energy, ..metadata.clone() };
+    Attribute::changing(metadata).for_each(|attribute| (attribute.set)(&mut common, 0.0));
+    common
 }
 
 #[cfg(test)]

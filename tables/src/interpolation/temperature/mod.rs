@@ -14,7 +14,7 @@ mod column;
 use super::steffen::locate;
 use super::{InterpolatedTable, blend_one, cubic};
 use crate::numbers::plain;
-use crate::table::{Cell, FractureEnergy, Metadata, Slice, Table, TemperatureError};
+use crate::table::{Attribute, Cell, FractureEnergy, Metadata, Slice, Table, TemperatureError};
 use column::{Column, Line, Units};
 
 /// Temperatures closer than this, relatively, are the same.
@@ -63,14 +63,8 @@ impl Table {
         let critical = Line::new(temperatures, place, critical, blend_one).value();
         let fracture = |member: usize| known[member].fracture_energy.map_or(f64::NAN, |law| law.coefficient);
         let fracture = Line::new(temperatures, place, fracture, blend_one).value();
-        let of_film = |of: fn(&Metadata) -> Option<f64>| {
-            let value = |member: usize| of(known[member]).unwrap_or(f64::NAN);
-            of(known[0]).map(|_| Line::new(temperatures, place, value, blend_one).value())
-        };
-        let metadata = Metadata {
+        let mut metadata = Metadata {
             temperature,
-            film_strength: of_film(|metadata| metadata.film_strength),
-            pressure_coefficient: of_film(|metadata| metadata.pressure_coefficient),
             critical_interference: critical * (strengths / moduli).powi(2),
             contact_modulus: moduli,
             yield_strength: strengths,
@@ -79,6 +73,11 @@ impl Table {
                 .map(|law| FractureEnergy { coefficient: fracture, ..law }),
             ..known[0].clone()
         };
+        for attribute in Attribute::changing(known[0]).filter(|attribute| !attribute.required) {
+            let value = |member: usize| (attribute.get)(known[member]).unwrap_or(f64::NAN);
+            let here = Line::new(temperatures, place, value, blend_one).value();
+            (attribute.set)(&mut metadata, here);
+        }
         let units = Units {
             members: known
                 .iter()
