@@ -6,59 +6,45 @@
 
 use std::time::Instant;
 
-/// Part of a run that is timed by itself.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kernel {
-    /// Pressing the mesh of the main run, with its factors.
-    Press,
-    /// Mesh, ordering and elastic factors of the slide.
-    Setup,
-    /// Stresses and nodal forces of the body, with the return mapping.
-    InternalForce,
-    /// Products of the consistent tangent with a vector.
-    TangentProduct,
-    /// Transforms and triangular sweeps of the preconditioner.
-    Preconditioner,
-    /// Factorising the dense contact stiffness.
-    ContactFactorisation,
-    /// Conduction, with its sources.
-    Heat,
-    /// The rest of the slide: vector sums, contact laws, energies.
-    Rest,
-    /// Auxiliary runs: those on other resolutions, from which the errors follow.
-    AuxiliaryRuns,
-    /// Writing the file.
-    Output,
+macro_rules! kernels {
+    ($($(#[$meaning:meta])* $kernel:ident $name:literal,)*) => {
+        /// Part of a run that is timed by itself.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Kernel {
+            $($(#[$meaning])* $kernel,)*
+        }
+
+        impl Kernel {
+            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$kernel),*];
+
+            pub fn name(self) -> &'static str {
+                [$($name),*][self as usize]
+            }
+        }
+    };
 }
 
-impl Kernel {
-    pub const ALL: [Self; 10] = [
-        Self::Press,
-        Self::Setup,
-        Self::InternalForce,
-        Self::TangentProduct,
-        Self::Preconditioner,
-        Self::ContactFactorisation,
-        Self::Heat,
-        Self::Rest,
-        Self::AuxiliaryRuns,
-        Self::Output,
-    ];
-
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Press => "press",
-            Self::Setup => "setup",
-            Self::InternalForce => "internal_force",
-            Self::TangentProduct => "tangent_product",
-            Self::Preconditioner => "preconditioner",
-            Self::ContactFactorisation => "contact_factorisation",
-            Self::Heat => "heat",
-            Self::Rest => "rest",
-            Self::AuxiliaryRuns => "auxiliary_runs",
-            Self::Output => "output",
-        }
-    }
+kernels! {
+    /// Pressing the mesh of the main run, with its factors.
+    Press "press",
+    /// Mesh, ordering and elastic factors of the slide.
+    Setup "setup",
+    /// Stresses and nodal forces of the body, with the return mapping.
+    InternalForce "internal_force",
+    /// Products of the consistent tangent with a vector.
+    TangentProduct "tangent_product",
+    /// Transforms and triangular sweeps of the preconditioner.
+    Preconditioner "preconditioner",
+    /// Factorising the dense contact stiffness.
+    ContactFactorisation "contact_factorisation",
+    /// Conduction, with its sources.
+    Heat "heat",
+    /// The rest of the slide: vector sums, contact laws, energies.
+    Rest "rest",
+    /// Auxiliary runs: those on other resolutions, from which the errors follow.
+    AuxiliaryRuns "auxiliary_runs",
+    /// Writing the file.
+    Output "output",
 }
 
 /// Seconds by kernel.

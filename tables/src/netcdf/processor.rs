@@ -37,13 +37,21 @@ fn print(text: &CStr) {
     let _ = std::io::stderr().write_all(text.to_bytes());
 }
 
-/// Name of an instruction set, whether the program uses it and whether the processor has it.
-type InstructionSet = (&'static CStr, bool, bool);
+struct InstructionSet {
+    name: &'static CStr,
+    /// Whether the program uses it.
+    used: bool,
+    /// Whether the processor has it.
+    present: bool,
+    /// Whether it has it by the standard library, which is independent of how this is compiled where a set is not used.
+    #[cfg(test)]
+    standard: bool,
+}
 
 /// The first that the program uses and the processor lacks.
 fn missing<const N: usize>(sets: [InstructionSet; N]) -> Option<&'static CStr> {
     let mut sets = sets.into_iter();
-    sets.find_map(|(name, used, present)| (used && !present).then_some(name))
+    sets.find_map(|set| (set.used && !set.present).then_some(set.name))
 }
 
 /// The standard library reports those that the program uses as present without a test; so the processor is asked.
@@ -51,6 +59,23 @@ fn missing<const N: usize>(sets: [InstructionSet; N]) -> Option<&'static CStr> {
 #[cfg(target_arch = "x86_64")]
 fn instruction_sets() -> [InstructionSet; 14] {
     use raw_cpuid::native_cpuid::cpuid_count;
+
+    macro_rules! set {
+        ($name:tt, $present:expr) => {
+            InstructionSet {
+                name: const {
+                    match CStr::from_bytes_with_nul(concat!($name, "\0").as_bytes()) {
+                        Ok(name) => name,
+                        Err(_) => panic!("a name ends with the only zero"),
+                    }
+                },
+                used: cfg!(target_feature = $name),
+                present: $present,
+                #[cfg(test)]
+                standard: is_x86_feature_detected!($name),
+            }
+        };
+    }
 
     let newest = cpuid_count(0, 0).eax;
     let basic = cpuid_count(1, 0).ecx;
@@ -60,20 +85,20 @@ fn instruction_sets() -> [InstructionSet; 14] {
     // The system saves the wider registers (bit 27) in addition to the processor's having them.
     let avx = has(basic, 27) && has(basic, 28);
     [
-        (c"sse3", cfg!(target_feature = "sse3"), has(basic, 0)),
-        (c"ssse3", cfg!(target_feature = "ssse3"), has(basic, 9)),
-        (c"sse4.1", cfg!(target_feature = "sse4.1"), has(basic, 19)),
-        (c"sse4.2", cfg!(target_feature = "sse4.2"), has(basic, 20)),
-        (c"popcnt", cfg!(target_feature = "popcnt"), has(basic, 23)),
-        (c"movbe", cfg!(target_feature = "movbe"), has(basic, 22)),
-        (c"lzcnt", cfg!(target_feature = "lzcnt"), has(amd, 5)),
-        (c"avx", cfg!(target_feature = "avx"), avx),
-        (c"fma", cfg!(target_feature = "fma"), avx && has(basic, 12)),
-        (c"avx2", cfg!(target_feature = "avx2"), avx && has(extended, 5)),
-        (c"bmi1", cfg!(target_feature = "bmi1"), has(extended, 3)),
-        (c"bmi2", cfg!(target_feature = "bmi2"), has(extended, 8)),
-        (c"avx512f", cfg!(target_feature = "avx512f"), avx && has(extended, 16)),
-        (c"avx512vl", cfg!(target_feature = "avx512vl"), avx && has(extended, 31)),
+        set!("sse3", has(basic, 0)),
+        set!("ssse3", has(basic, 9)),
+        set!("sse4.1", has(basic, 19)),
+        set!("sse4.2", has(basic, 20)),
+        set!("popcnt", has(basic, 23)),
+        set!("movbe", has(basic, 22)),
+        set!("lzcnt", has(amd, 5)),
+        set!("avx", avx),
+        set!("fma", avx && has(basic, 12)),
+        set!("avx2", avx && has(extended, 5)),
+        set!("bmi1", has(extended, 3)),
+        set!("bmi2", has(extended, 8)),
+        set!("avx512f", avx && has(extended, 16)),
+        set!("avx512vl", avx && has(extended, 31)),
     ]
 }
 
@@ -89,37 +114,17 @@ mod tests {
 
     #[test]
     fn what_the_program_uses_must_be_there() {
-        assert_eq!(missing([(c"avx", true, true), (c"avx2", false, false)]), None);
-        assert_eq!(
-            missing([(c"avx", true, true), (c"avx2", true, false), (c"fma", true, false)]),
-            Some(c"avx2")
-        );
+        let set = |name, used, present| InstructionSet { name, used, present, standard: present };
+        assert!(missing([set(c"avx", true, true), set(c"avx2", false, false)]).is_none());
+        let sets = [set(c"avx", true, true), set(c"avx2", true, false), set(c"fma", true, false)];
+        assert_eq!(missing(sets), Some(c"avx2"));
         assert_eq!(missing(instruction_sets()), None, "this processor runs the test");
     }
 
-    /// The names and bits agree with those of the standard library, which are independent of how this is compiled where
-    /// a set is not used.
-    #[cfg(target_arch = "x86_64")]
     #[test]
     fn the_processor_is_read_as_the_standard_library_reads_it() {
-        let standard = [
-            is_x86_feature_detected!("sse3"),
-            is_x86_feature_detected!("ssse3"),
-            is_x86_feature_detected!("sse4.1"),
-            is_x86_feature_detected!("sse4.2"),
-            is_x86_feature_detected!("popcnt"),
-            is_x86_feature_detected!("movbe"),
-            is_x86_feature_detected!("lzcnt"),
-            is_x86_feature_detected!("avx"),
-            is_x86_feature_detected!("fma"),
-            is_x86_feature_detected!("avx2"),
-            is_x86_feature_detected!("bmi1"),
-            is_x86_feature_detected!("bmi2"),
-            is_x86_feature_detected!("avx512f"),
-            is_x86_feature_detected!("avx512vl"),
-        ];
-        for ((name, _, present), standard) in instruction_sets().into_iter().zip(standard) {
-            assert_eq!(present, standard, "{name:?}");
+        for set in instruction_sets() {
+            assert_eq!(set.present, set.standard, "{:?}", set.name);
         }
     }
 }
