@@ -16,7 +16,6 @@
 //! | [`integral`] | integrals over heights and radii, separation |
 //! | [`topography`] | readers, spectrum, summits of a measured map or profile |
 //! | [`surface`] | heights, radii, surface file |
-//! | `root_finding` | bracketing root finder |
 //!
 //! ```
 //! use roughsurface::friction::{Settings, predict};
@@ -66,7 +65,6 @@ macro_rules! matching {
 pub mod friction;
 pub mod integral;
 pub mod output;
-mod root_finding;
 pub mod sampling;
 pub mod surface;
 pub mod topography;

@@ -35,10 +35,7 @@ const ROOMS: [(&str, &[&str]); 3] = [
             "figures",
         ],
     ),
-    (
-        "roughsurface",
-        &["root_finding", "surface", "topography", "integral", "friction", "sampling", "output", "cli"],
-    ),
+    ("roughsurface", &["surface", "topography", "integral", "friction", "sampling", "output", "cli"]),
 ];
 /// Entries of `src` at most, `lib.rs` among them.
 const ENTRIES: [usize; 3] = [13, 10, 10];

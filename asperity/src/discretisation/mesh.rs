@@ -14,7 +14,7 @@
 //!   +---------------+----+-+ r  base: clamped, held at the initial temperature
 //! ```
 
-use roots::{SimpleConvergency, find_root_brent};
+use tables::functions::{Accuracy, root_of};
 
 /// Extent and fineness of the mesh, lengths in units of the sphere's radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -189,8 +189,7 @@ fn fan_point(start: [f64; 2], uniform: f64, t: f64) -> [f64; 2] {
 /// of ρ cos(ψ) = 1, which rises with ρ.
 fn base_distance(scaled_angle: f64, surface_angle: impl Fn(f64) -> f64) -> f64 {
     let beyond_base = |rho: f64| rho * (scaled_angle * surface_angle(rho)).cos() - 1.0;
-    let mut accuracy = SimpleConvergency { eps: 1e-14, max_iter: 100 };
-    find_root_brent(1.0, std::f64::consts::SQRT_2, beyond_base, &mut accuracy)
+    root_of(1.0, std::f64::consts::SQRT_2, Accuracy::of(1e-14), beyond_base)
         .expect("the base crosses every ray between the axis and the rim")
 }
 

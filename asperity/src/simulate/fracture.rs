@@ -9,7 +9,7 @@
 
 use std::f64::consts::PI;
 
-use roots::{SimpleConvergency, find_root_brent};
+use tables::functions::{Accuracy, root_of};
 use tables::table::fracture::FractureEnergy;
 
 use crate::scene::{FractureData, Hardening, Material};
@@ -47,8 +47,7 @@ fn necking_stress(hardening: &Hardening, yield_strength: f64) -> f64 {
         Hardening::JohnsonCook { modulus, exponent } => {
             let power = |strain: f64| modulus * strain.powf(*exponent);
             let excess = |strain: f64| exponent * power(strain) / strain - yield_strength - power(strain);
-            let mut converged = SimpleConvergency { eps: 1e-12, max_iter: 200 };
-            let strain = find_root_brent(1e-12, *exponent, excess, &mut converged);
+            let strain = root_of(1e-12, *exponent, Accuracy::of(1e-12), excess);
             yield_strength + strain.map_or(0.0, power)
         }
         Hardening::Table { plastic_strain, factor } => {

@@ -1,6 +1,6 @@
 //! Cells of a table: scalars of a run, and its histories on the slips that all cells share.
 
-use roots::{SimpleConvergency, find_root_brent};
+use tables::functions::{Accuracy, root_of};
 use tables::interpolation::steffen::Steffen;
 use tables::quantity::{Estimate, Quantity, Scalars};
 use tables::table::Cell;
@@ -21,9 +21,8 @@ pub fn slip_grid(slip_distance: f64) -> Vec<f64> {
     // The first slip falls from an even division to 1e-19 of the distance.
     let (even, finest) = (1e-3, 40.0);
     let excess = |grading: f64| (slip_distance * share(grading, 1.0) / FIRST_SLIP).ln();
-    let mut accuracy = SimpleConvergency { eps: 1e-12, max_iter: 100 };
     // A short distance needs no grading.
-    let grading = find_root_brent(even, finest, excess, &mut accuracy).unwrap_or(even);
+    let grading = root_of(even, finest, Accuracy::of(1e-12), excess).unwrap_or(even);
     (0..=INTERVALS)
         .map(|k| match k {
             INTERVALS => slip_distance,

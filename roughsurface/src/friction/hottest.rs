@@ -2,8 +2,8 @@
 
 use crate::integral::asperity_at_slip::AsperityAtSlip;
 use crate::integral::surface_integral::Asperities;
-use crate::root_finding::{Accuracy, root_between, root_of};
 use crate::surface::heights::Heights;
+use tables::functions::{Accuracy, root_between, root_of};
 use tables::law::{Estimate, LookupError, OptionalEstimate};
 
 /// Share of the contacts that may be hotter than the highest temperature: heights without an upper end have no hottest

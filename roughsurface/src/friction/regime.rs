@@ -2,9 +2,9 @@
 
 use crate::integral::asperity_at_slip::AsperityAtSlip;
 use crate::integral::surface_integral::Asperities;
-use crate::root_finding::{Accuracy, root_of};
 use crate::surface::heights::Heights;
 use crate::surface::query::Surface;
+use tables::functions::{Accuracy, root_of};
 use tables::law::AsperityLaw;
 
 /// ψ = √(σ_s/ω_c), σ_s the standard deviation of the summit heights and ω_c the interference of

@@ -6,8 +6,8 @@
 
 use crate::integral::separation::SeparationError;
 use crate::integral::surface_integral::SurfaceIntegral;
-use crate::root_finding::{Accuracy, root_between};
 use crate::surface::query::{Interaction, Query};
+use tables::functions::{Accuracy, root_between};
 use tables::law::{AsperityLaw, Estimate};
 
 /// The mean plane of the summits, which yields to the nominal pressure or not.

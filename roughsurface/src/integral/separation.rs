@@ -3,7 +3,7 @@
 use crate::integral::contact_state::ContactState;
 use crate::integral::predictor::{Predictor, SHARED_UNCERTAINTY, Sensitivity};
 use crate::integral::surface_integral::SurfaceIntegral;
-use crate::root_finding::{Accuracy, root_between};
+use tables::functions::{Accuracy, root_between};
 use tables::law::LookupError;
 
 /// Reason why no separation has the given pressure.

@@ -6,7 +6,7 @@
 //! - [`mod@file`]: the surface file (TOML), its keys, its uncertain parameters;
 //! - [`units`]: units of numbers on the command line and in topographies.
 //!
-//! Depends on `root_finding` alone.
+//! Depends on no other room.
 
 pub mod file;
 pub mod heights;

@@ -1,7 +1,5 @@
 //! The interpolant of a slice: nodes, coordinates, the elastic and the fully plastic limit.
 
-use roots::{SimpleConvergency, find_root_brent};
-
 use super::ROUNDING;
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, HeatRatio, extrapolated};
 use super::low_rates::{self, RiseFactor};
@@ -9,6 +7,7 @@ use super::nodes::{self, Absent, Errors, Nodes, OF_STRAIGHT, StateQuantity, Valu
 use super::plastic_limit::AboveLastRow;
 use super::steffen::{self, Location, locate};
 use super::temperature_rise::RiseAxis;
+use crate::functions::{Accuracy, root_of};
 use crate::law::{LARGEST_CONTACT, covers};
 use crate::quantity::{COVERAGE_FACTOR, OF_BOUND};
 use crate::table::{Axes, Slice};
@@ -333,9 +332,8 @@ impl Interpolant {
         }
         // a₀ grows with ω; far outside the table as its root.
         let (low, high) = (self.log_interference[first] - 40.0, self.log_interference[last] + 40.0);
-        let mut accuracy = SimpleConvergency { eps: 1e-13, max_iter: 200 };
         let excess = |place: f64| (self.contact_radius(rows, &self.row_position(rows, place)) / wanted).ln();
-        find_root_brent(low, high, excess, &mut accuracy).ok()
+        root_of(low, high, Accuracy::of(1e-13), excess)
     }
 
     /// ω/ω_c at which the slip `slip` (m), at the radius of the table, is the last of the histories.

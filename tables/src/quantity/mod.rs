@@ -7,7 +7,7 @@
 //! `asperity`; CONTRIBUTING.md lists the files. A scalar that is added to a released version is `optional`.
 //!
 //! Results are [`Scalars`] and [`History`], keyed by [`Quantity`]; [`numbers`] writes them as text. [`plausible`] has the
-//! ranges of input quantities, [`functions`] has bisection and linear interpolation. Depends on no other room. Chapter "What
+//! ranges of input quantities, [`functions`] has bisection, roots and linear interpolation. Depends on no other room. Chapter "What
 //! is reported" of the book.
 
 pub mod functions;

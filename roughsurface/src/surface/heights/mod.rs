@@ -3,7 +3,7 @@
 //! To add a distribution: write its file here, implement [`Heights`], name it below and add its entry to
 //! [`DISTRIBUTIONS`]. The surface file, its help and its messages, the integrals and the sampling take it
 //! from there; the tests in `tests.rs` require an example.
-//! Depends on `root_finding`, and on `crate::surface::text` for files, `messages` for errors. Chapter "Rough surfaces" of the book.
+//! Depends on `crate::surface::text` for files, `messages` for errors. Chapter "Rough surfaces" of the book.
 
 mod catalogue;
 mod distribution;

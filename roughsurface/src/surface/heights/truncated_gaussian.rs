@@ -1,6 +1,6 @@
 use super::distribution::{Heights, Random};
 use super::gaussian::Gaussian;
-use crate::root_finding::{Accuracy, root_of};
+use tables::functions::{Accuracy, root_of};
 
 /// A Gaussian surface whose summits below `lower` and above `upper` are missing,
 /// as after polishing or running-in.
