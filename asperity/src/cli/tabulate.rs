@@ -217,18 +217,7 @@ fn summary(tabulation: &Tabulation) -> String {
             rows.push(line);
         }
     }
-    let width = |column: usize| {
-        let widths = rows.iter().filter_map(|row| row.get(column));
-        widths.map(|text| text.chars().count()).max().unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..header.len()).map(width).collect();
-    let mut text = String::new();
-    for row in &rows {
-        let cells = row.iter().zip(&widths);
-        let line: String = cells.map(|(cell, width)| format!("{cell:width$}  ")).collect();
-        text += &format!("{}\n", line.trim_end());
-    }
-    text
+    numbers::aligned(&rows, "  ", |_| true)
 }
 
 fn as_json(table: &Table, output: &str) -> Value {

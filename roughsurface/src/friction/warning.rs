@@ -8,7 +8,7 @@ use tables::closed_forms::adhesion::CONTAMINATED_METALS;
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::law::{AboveRange, AsperityLaw};
 use tables::numbers::{beside, digits, plain};
-use tables::table::sentences::Sentence;
+use tables::table::sentences::{Sentence, condensed};
 
 /// Real area fraction above which summits no longer deform independently: a few per cent.
 const INTERACTION: f64 = 0.05;
@@ -246,21 +246,14 @@ impl Warning {
 
     /// Sentences, one for all warnings that differ in their numbers only, with the range of each number.
     pub fn condensed(warnings: &[Warning]) -> Vec<String> {
-        let mut sentences: Vec<(Sentence, bool)> = Vec::new();
-        for (place, warning) in warnings.iter().enumerate() {
-            let sentence = Sentence::new(&warning.to_string(), (place, 0));
-            let stands_alone = warning.stands_alone();
-            let taken_in = !stands_alone
-                && sentences.iter_mut().any(|(known, alone)| !*alone && known.absorbs(&sentence));
-            if !taken_in {
-                sentences.push((sentence, stands_alone));
-            }
-        }
-        let text = |(sentence, _): (Sentence, bool)| match sentence.places.len() {
+        let sentences = warnings.iter().enumerate().map(|(place, warning)| {
+            Sentence::new(&warning.to_string(), (place, 0)).standing_alone(warning.stands_alone())
+        });
+        let text = |sentence: Sentence| match sentence.places.len() {
             1 => sentence.text(),
             places => format!("{} ({places} points)", sentence.text()),
         };
-        sentences.into_iter().map(text).collect()
+        condensed(sentences).into_iter().map(text).collect()
     }
 
     /// Whether another one of its kind is about something else, not about another place.

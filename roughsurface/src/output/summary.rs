@@ -7,6 +7,7 @@ use crate::output::rate_step;
 use crate::output::result_tables::{NO_SHARE, NOT_AVAILABLE, Rows, compared, parameters, quantities};
 use crate::sampling::case::Results;
 use crate::surface::query::NormalLoading;
+use tables::numbers;
 
 /// Columns of the summary but for the separation or the pressure, whichever is not given: quantity and heading.
 const COLUMNS: [(&str, &str); 10] = [
@@ -59,29 +60,15 @@ fn without_empty(mut rows: Rows, heading: &str) -> Rows {
     rows
 }
 
-/// Columns as wide as their widest cell, numbers to the right and text to the left. A remark may run over the columns to
-/// its right.
+/// Numbers to the right and text to the left.
 fn aligned(rows: &Rows) -> String {
     let columns = rows[0].len();
-    let width = |column: usize| {
-        let complete = rows.iter().filter(|row| row.len() == columns);
-        complete.map(|row| row[column].chars().count()).max().unwrap_or(0)
-    };
     let is_text = |column: usize| {
         let complete = rows[1..].iter().find(|row| row.len() == columns);
         complete
             .is_some_and(|row| row[column] != NOT_AVAILABLE && row[column].starts_with(char::is_alphabetic))
     };
-    let line = |row: &Vec<String>| {
-        let cell = |(column, cell): (usize, &String)| match row.len() < columns && column == row.len() - 1 {
-            true => cell.clone(),
-            false if is_text(column) => format!("{cell:<width$}", width = width(column)),
-            false => format!("{cell:>width$}", width = width(column)),
-        };
-        let cells: Vec<String> = row.iter().enumerate().map(cell).collect();
-        format!("{}\n", cells.join("   ").trim_end())
-    };
-    rows.iter().map(line).collect()
+    numbers::aligned(rows, "   ", is_text)
 }
 
 #[cfg(test)]

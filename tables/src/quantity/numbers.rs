@@ -149,6 +149,28 @@ impl Spacing {
     }
 }
 
+/// Rows as lines, their columns as wide as the widest cell and this far apart; those of `is_text` are set to the left. A
+/// row that ends early ends with a remark, which may run over the columns to its right. The first row is complete.
+pub fn aligned(rows: &[Vec<String>], gap: &str, is_text: impl Fn(usize) -> bool) -> String {
+    let columns = rows[0].len();
+    let is_remark = |row: &[String], column: usize| row.len() < columns && column + 1 == row.len();
+    let width = |column: usize| {
+        let cells = rows.iter().filter(|row| !is_remark(row, column)).filter_map(|row| row.get(column));
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let line = |row: &Vec<String>| {
+        let cell = |(column, cell): (usize, &String)| match (is_remark(row, column), is_text(column)) {
+            (true, _) => cell.clone(),
+            (false, true) => format!("{cell:<width$}", width = widths[column]),
+            (false, false) => format!("{cell:>width$}", width = widths[column]),
+        };
+        let cells: Vec<String> = row.iter().enumerate().map(cell).collect();
+        format!("{}\n", cells.join(gap).trim_end())
+    };
+    rows.iter().map(line).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,7 +1,7 @@
 //! Tables made in parts: missing points, shards, added points.
 
 use crate::numbers::digits;
-use crate::table::sentences::Sentence;
+use crate::table::sentences::{Sentence, condensed};
 use crate::table::{Axes, Slice, Status, TableError};
 
 impl Slice {
@@ -67,26 +67,18 @@ impl Slice {
 
     /// Every warning of a cell once, with the ranges of its numbers, and the cells that it concerns unless these are all.
     pub fn warnings(&self) -> Vec<String> {
-        let mut found: Vec<Sentence> = Vec::new();
-        let mut done = 0;
-        for (i, j) in self.grid() {
-            let Some(cell) = self.cell(i, j) else { continue };
-            done += 1;
-            for text in &cell.warnings {
-                let warning = Sentence::new(text, (i, j));
-                if !found.iter_mut().any(|known| known.absorbs(&warning)) {
-                    found.push(warning);
-                }
-            }
-        }
+        let done: Vec<_> = self.grid().filter_map(|(i, j)| Some(((i, j), self.cell(i, j)?))).collect();
+        let warnings = done
+            .iter()
+            .flat_map(|(place, cell)| cell.warnings.iter().map(|text| Sentence::new(text, *place)));
         let labelled = |warning: Sentence| {
             let text = warning.text();
-            if warning.places.len() == done {
+            if warning.places.len() == done.len() {
                 return text;
             }
             format!("{text} [{}]", self.blocks(warning.places).join("; "))
         };
-        found.into_iter().map(labelled).collect()
+        condensed(warnings).into_iter().map(labelled).collect()
     }
 
     /// Points of the grid in words: consecutive interferences with the same slip rates together.

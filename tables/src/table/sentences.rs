@@ -8,6 +8,18 @@ pub struct Sentence {
     numbers: Vec<[String; 2]>,
     /// Places that the sentence is about, in the order in which they were added.
     pub places: Vec<(usize, usize)>,
+    stands_alone: bool,
+}
+
+/// One sentence for all that differ in their numbers only, in the order of the first of each.
+pub fn condensed(sentences: impl IntoIterator<Item = Sentence>) -> Vec<Sentence> {
+    let mut found: Vec<Sentence> = Vec::new();
+    for sentence in sentences {
+        if !found.iter_mut().any(|known| known.absorbs(&sentence)) {
+            found.push(sentence);
+        }
+    }
+    found
 }
 
 impl Sentence {
@@ -18,12 +30,18 @@ impl Sentence {
             words,
             numbers: numbers.into_iter().map(|number| [number.clone(), number]).collect(),
             places: vec![place],
+            stands_alone: false,
         }
     }
 
-    /// Takes another one in, if its words are the same.
+    /// Whether another one of its words is about something else, not about another place.
+    pub fn standing_alone(self, stands_alone: bool) -> Self {
+        Self { stands_alone, ..self }
+    }
+
+    /// Takes another one in, if its words are the same and neither stands alone.
     pub fn absorbs(&mut self, other: &Sentence) -> bool {
-        if self.words != other.words {
+        if self.stands_alone || other.stands_alone || self.words != other.words {
             return false;
         }
         let value = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
