@@ -298,8 +298,8 @@ fn points_are_added_for_a_tolerance() {
         let estimate = table.estimate(Quantity::Mu, 1e-3, 33.0, rate).unwrap();
         let truth = outcome(&one.request, 33.0, rate).scalars[Quantity::Mu].value;
         assert!((estimate.value / truth - 1.0).abs() < 0.02, "{rate}");
-        // 1 % of the run, and the error of interpolation.
-        assert!(estimate.error > 0.01 * truth && estimate.error < 0.031 * truth, "{rate}: {estimate:?}");
+        // 1 % of the runs around it, and the error of interpolation.
+        assert!(estimate.error > 0.99 * 0.01 * truth && estimate.error < 0.031 * truth, "{rate}: {estimate:?}");
     }
     // The request is stored unchanged.
     assert_eq!(parse_request(&table.metadata().scene, "attribute", &[]).unwrap(), one.request);
@@ -315,8 +315,8 @@ fn points_are_added_for_a_tolerance() {
 
 #[test]
 fn refinement_states_its_shortfall_and_cannot_be_divided() {
-    let tabulation = whole(&format!("{REFINED}max_cells = 12\n"), &Fake::default(), 2);
-    assert!(cells_run(&tabulation) <= 12);
+    let tabulation = whole(&format!("{REFINED}max_cells = 8\n"), &Fake::default(), 2);
+    assert!(cells_run(&tabulation) <= 8);
     let warning = "interpolation of mu is good to";
     assert!(tabulation.warnings().iter().any(|text| text.starts_with(warning)));
     assert!(table(&tabulation).metadata().comment.contains(warning));
