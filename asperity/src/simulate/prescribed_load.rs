@@ -20,8 +20,8 @@ const DIGITS: usize = 5;
 const SHALLOWER: f64 = 0.7;
 /// Ratio of an interference that does not fit to one that does, at which the load is refused.
 const BRACKET: f64 = 1.05;
-/// ω/ω_c at which the search ends where none fits.
-const LEAST: f64 = 1.0;
+/// Part of the first guess at which the search ends where none fits.
+const LEAST: f64 = 1e-2;
 
 /// The scene with the interference in place of the load `prescribed`, N, and what is said of it.
 pub(super) fn with_interference(
@@ -44,10 +44,11 @@ pub(super) fn with_interference(
             // The first guess of a deep contact may be far too deep.
             Err(SimulationError::Unsupported(reason)) => {
                 let fits = largest_interference(&found).unwrap_or(SHALLOWER * interference);
-                let known = before.map(|[omega, _]| omega.exp()).filter(|omega| *omega > fits);
+                // Rounded, an interference that was pressed may be just below.
+                let known = before.map(|[omega, _]| omega.exp()).filter(|omega| *omega > 0.999 * fits);
                 let shallower = known.map_or(fits, |omega| (omega * interference).sqrt());
                 refused = Some((interference, reason));
-                if let Some(error) = too_large(prescribed, before, &refused) {
+                if let Some(error) = too_large([prescribed, scene.loading.interference], before, &refused) {
                     return Err(error);
                 }
                 interference = rounded(shallower, DIGITS);
@@ -59,11 +60,12 @@ pub(super) fn with_interference(
             return Ok((found, Note::OfLoad { prescribed, interference }));
         }
         let here = [interference.ln(), load.ln()];
-        let slope = before.map_or(FIRST_SLOPE, |[omega, load]| (here[1] - load) / (here[0] - omega));
+        let other = before.filter(|[omega, _]| *omega != here[0]);
+        let slope = other.map_or(FIRST_SLOPE, |[omega, load]| (here[1] - load) / (here[0] - omega));
         let step = (prescribed.ln() - here[1]) / slope.clamp(SLOPES[0], SLOPES[1]);
         before = Some(here);
         if load < prescribed
-            && let Some(error) = too_large(prescribed, before, &refused)
+            && let Some(error) = too_large([prescribed, scene.loading.interference], before, &refused)
         {
             return Err(error);
         }
@@ -90,7 +92,7 @@ fn load_of(scene: &Scene, watch: &dyn Watch) -> Result<f64, SimulationError> {
 
 /// The refusal of a load, where the interference `refused` is hardly above one whose load is known, or far below the first guess.
 fn too_large(
-    prescribed: f64,
+    [prescribed, guess]: [f64; 2],
     known: Option<[f64; 2]>,
     refused: &Option<(f64, String)>,
 ) -> Option<SimulationError> {
@@ -101,7 +103,7 @@ fn too_large(
             digits(omega.exp(), 4),
             digits(load.exp(), 3)
         ),
-        None if *limit < LEAST => String::new(),
+        None if *limit < LEAST * guess => String::new(),
         _ => return None,
     };
     let load = plain(prescribed);

@@ -14,15 +14,18 @@ use crate::interface::friction_law::{ContactPoint, shear_limit};
 use crate::loading::problem::Problem;
 use crate::material::SHEAR_RATIO;
 use crate::scene::Scene;
-use crate::scene::fitted_constants::elastic_strain::{FRICTION, LIGHT};
+use crate::scene::fitted_constants::elastic_strain::LIGHT;
 use crate::scene::fitted_constants::plastic_strain_of_slide::{ADDED, EXPONENT};
+use crate::simulate::accuracy::modelling_error::ElasticStrain;
 use crate::simulate::messages::StrainChoice;
+use tables::quantity::Quantity;
 
 /// Plastic strain over the required accuracy up to which strain is taken to be small. At twice or four times this a
 /// table of 4340 steel takes 1.2 and 2.3 times as long, as the modelling error makes runs be repeated.
 const SMALL_SHARE: f64 = 0.05;
 
-/// Change of friction by elastic strain over the required accuracy up to which it joins the modelling error.
+/// Change of friction, or of `G` over its allowance, by elastic strain over the required accuracy up to which it joins the
+/// modelling error.
 const SMALL_ELASTIC_SHARE: f64 = 0.2;
 
 /// The choice for a scene with `kinematics = "auto"`, from the press on the coarse mesh at small strain.
@@ -39,7 +42,15 @@ pub fn choose_strain(scene: &Scene, problem: &Problem, body: &Body, contact: &Co
     };
     let expected = body.committed.largest_plastic_strain() + added;
     let limit = SMALL_SHARE * scene.numerics.accuracy;
-    let elastic = FRICTION * elastic_strain(scene, problem) * strength.min(1.0).powi(2);
+    let elastic = ElasticStrain {
+        strain: elastic_strain(scene, problem),
+        traction: strength,
+        interference: scene.loading.interference,
+    };
+    let elastic = [Quantity::Mu, Quantity::EnergyRelease]
+        .map(|quantity| elastic.share(quantity) / quantity.allowance())
+        .into_iter()
+        .fold(0.0, f64::max);
     let elastic_limit = SMALL_ELASTIC_SHARE * scene.numerics.accuracy;
     StrainChoice {
         finite: expected > limit || elastic > elastic_limit,

@@ -299,7 +299,10 @@ fn points_are_added_for_a_tolerance() {
         let truth = outcome(&one.request, 33.0, rate).scalars[Quantity::Mu].value;
         assert!((estimate.value / truth - 1.0).abs() < 0.02, "{rate}");
         // 1 % of the runs around it, and the error of interpolation.
-        assert!(estimate.error > 0.99 * 0.01 * truth && estimate.error < 0.031 * truth, "{rate}: {estimate:?}");
+        assert!(
+            estimate.error > 0.99 * 0.01 * truth && estimate.error < 0.031 * truth,
+            "{rate}: {estimate:?}"
+        );
     }
     // The request is stored unchanged.
     assert_eq!(parse_request(&table.metadata().scene, "attribute", &[]).unwrap(), one.request);

@@ -154,8 +154,8 @@ impl Interpolant {
     fn contact_radius_between(&self, Location { index, t }: Location) -> f64 {
         let (y, slope) = (&self.log_contact_radius, &self.log_contact_radius_slope);
         // On a row the neighbouring rows have no weight and may be absent.
-        if t == 0.0 {
-            return y[index].exp();
+        if t == 0.0 || t == 1.0 {
+            return y[index + usize::from(t == 1.0)].exp();
         }
         let h = self.log_interference[index + 1] - self.log_interference[index];
         let one_sided = |slope: f64| match slope.is_nan() {

@@ -111,13 +111,14 @@ impl InterpolatedTable {
         let base = self.metadata().temperature;
         let (values, errors) =
             if interference > 0.0 { state(slip.max(0.0) / ratio)? } else { Default::default() };
-        let strength = self.strength_change(interference, slip_rate * ratio, ratio);
+        let strength =
+            self.strength_change(interference, slip_rate * ratio, ratio).after(slip.max(0.0) / ratio);
         let estimate = |field: StateQuantity, scale: f64, limit: ElasticLimit| {
             let effect = strength.of(limit);
             let (value, error) = (values[field as usize], errors[field as usize].abs());
             Estimate {
                 value: scale * effect.factor * value,
-                error: scale * (value * (effect.factor * error + effect.error)).abs(),
+                error: scale * effect.factor * (value * (error + effect.error)).abs(),
             }
         };
         let squared = ratio * ratio;
@@ -209,10 +210,11 @@ impl AsperityLaw for InterpolatedTable {
     }
 
     fn radius_uncertainty(&self, radius: f64) -> f64 {
-        let slowest = self.axes().slip_rate[0];
         let ratio = radius / self.metadata().asperity_radius;
-        let strength = self.strength_change(self.interference_limit(), slowest, ratio);
-        strength.of(ElasticLimit::SlidingCoefficient).error
+        let at = |rate: &f64| self.strength_change(self.interference_limit(), *rate, ratio);
+        let errors =
+            self.axes().slip_rate.iter().map(|rate| at(rate).of(ElasticLimit::SlidingCoefficient).error);
+        errors.fold(0.0, f64::max)
     }
 
     fn breaks(&self) -> Vec<f64> {

@@ -68,7 +68,7 @@ impl InterpolatedTable {
         let descriptor = quantity.descriptor();
         let limit = if descriptor.of_press { ElasticLimit::None } else { descriptor.elastic_limit };
         let of_rate = self.strength_change(interference, slip_rate * ratio, ratio).of(limit);
-        let (value, error) = (of_rate.factor * value, of_rate.factor * error + of_rate.error * value.abs());
+        let (value, error) = (of_rate.factor * value, of_rate.factor * (error + of_rate.error * value.abs()));
         let scale = ratio.powi(descriptor.radius_exponent);
         Ok(Estimate { value: scale * (origin + value), error: scale * error })
     }

@@ -23,16 +23,21 @@ pub(super) struct StrengthChange {
     /// Relative uncertainty of the strength above the last row, where a is extrapolated in proportion to √ω.
     extrapolated: f64,
     log_interference: f64,
+    /// a₀ at the radius of the table, m.
+    contact_radius: f64,
     /// Whether the limit of the shear traction is the strength of the metal, as in the data.
     is_of_metal: bool,
 }
 
-/// Factor of a value, and what it adds to its relative error.
+/// Factor of a value, and what it adds to the relative error of the product.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct RateEffect {
     pub(super) factor: f64,
     pub(super) error: f64,
 }
+
+/// s/a₀ at which contacts slide, within the range of the slips at inception.
+const SLIDING: f64 = 0.05;
 
 /// ω/ω_c of the exponents of a light and a deep contact.
 const INTERFERENCES: [f64; 2] = [0.7, 125.0];
@@ -55,6 +60,13 @@ fn exponents(limit: ElasticLimit) -> Option<[(f64, f64); 2]> {
 }
 
 impl StrengthChange {
+    /// That which has taken effect after a slip (m, at the radius of the table): none in the press, which is quasi-static, and all once
+    /// the contact slides.
+    pub(super) fn after(self, slip: f64) -> Self {
+        let share = slip / (SLIDING * self.contact_radius);
+        Self { known: self.known * if share < 1.0 { share } else { 1.0 }, ..self }
+    }
+
     /// Effect on a quantity of the slide.
     pub(super) fn of(&self, limit: ElasticLimit) -> RateEffect {
         let Some([light, deep]) = exponents(limit) else { return RateEffect { factor: 1.0, error: 0.0 } };
@@ -65,9 +77,8 @@ impl StrengthChange {
         // Other interfaces do not follow the strength of the metal, or less: from no effect to the whole one.
         let (mean, half_width) =
             if self.is_of_metal { (mean, half_width) } else { (0.0, mean.abs() + half_width) };
-        let factor = (mean * self.known).exp();
-        let error = factor * half_width * self.known.abs();
-        RateEffect { factor, error: error + limit.strength_exponent() * self.extrapolated }
+        let error = half_width * self.known.abs() + (mean.abs() + half_width) * self.extrapolated;
+        RateEffect { factor: (mean * self.known).exp(), error }
     }
 }
 
@@ -78,7 +89,7 @@ impl InterpolatedTable {
         let (Some(coefficient), Some(rows)) = (metadata.rate_coefficient, self.interpolant.rows) else {
             return StrengthChange::default();
         };
-        if interference <= 0.0 {
+        if interference <= 0.0 || (ratio == 1.0 && interference <= self.interference_limit()) {
             return StrengthChange::default();
         }
         let Interpolant { sphere, .. } = &self.interpolant;
@@ -91,6 +102,7 @@ impl InterpolatedTable {
             known: (here / of_table).ln(),
             extrapolated: 0.5 * coefficient / here * above,
             log_interference: interference.ln(),
+            contact_radius,
             is_of_metal: metadata.strength_factor.is_some() && metadata.film_strength.is_none(),
         }
     }

@@ -24,8 +24,8 @@ pub(super) struct RiseAxis {
 }
 
 impl RiseAxis {
-    /// The place of `rise`, which lies between the same points as `rate`, with `coordinate` ξ of each slip rate. None on a
-    /// point, and where the rises around it do not grow. `of` gives the rise at a slip rate, if it is known.
+    /// The place of `rise`, between the same points as `rate`, with `coordinate` ξ of each slip rate. None on a
+    /// point, and where the rise does not grow. `of` gives the rise at a slip rate, if it is known.
     pub(super) fn new(
         rate: Location,
         rise: f64,
@@ -37,20 +37,25 @@ impl RiseAxis {
             return None;
         }
         let rises: Vec<f64> = (0..coordinate.len()).map(|j| of(j).unwrap_or(f64::NAN)).collect();
-        let around = &rises[index.saturating_sub(1)..(index + 3).min(rises.len())];
-        let grows = around.windows(2).all(|pair| pair[0].is_nan() || pair[1].is_nan() || pair[1] > pair[0]);
         let exponent = |j: usize| match rises.get(j..j + 2) {
             Some([one, other]) => (other / one).ln() / (coordinate[j + 1] - coordinate[j]),
             _ => f64::NAN,
         };
         let share_at = |j: usize| {
-            let largest = j.checked_sub(1).map_or(f64::NAN, exponent).max(exponent(j));
-            ((largest - EXPONENTS[0]) / (EXPONENTS[1] - EXPONENTS[0])).clamp(0.0, 1.0)
+            let both = [j.checked_sub(1).map_or(f64::NAN, exponent), exponent(j)];
+            // None beside an interval in which the rise falls, and which it cannot be the coordinate of.
+            if both.iter().any(|exponent| *exponent <= 0.0) {
+                return 0.0;
+            }
+            ((both[0].max(both[1]) - EXPONENTS[0]) / (EXPONENTS[1] - EXPONENTS[0])).clamp(0.0, 1.0)
         };
         let share = (1.0 - t) * share_at(index) + t * share_at(index + 1);
-        let t = (rise - rises[index]) / (rises[index + 1] - rises[index]);
-        let is_inside = (0.0..=1.0).contains(&t);
-        (grows && is_inside && share > 0.0).then_some(Self { rises, place: Location { index, t }, share })
+        let t = ((rise - rises[index]) / (rises[index + 1] - rises[index])).clamp(0.0, 1.0);
+        (rises[index + 1] > rises[index] && share > 0.0).then_some(Self {
+            rises,
+            place: Location { index, t },
+            share,
+        })
     }
 
     /// A number there, and its distance to a straight line, from those in ξ.
@@ -87,8 +92,8 @@ fn blend(
     value: impl Fn(usize) -> Result<f64, Absent>,
 ) -> Result<(f64, f64), Absent> {
     let inner = [value(index)?, value(index + 1)?];
-    let outer =
-        neighbours(axis, index, |j| value(j).ok()).map(|near| near.filter(|(gap, _)| gap.is_finite()));
+    let outer = neighbours(axis, index, |j| value(j).ok())
+        .map(|near| near.filter(|(gap, _)| *gap > 0.0 && gap.is_finite()));
     let found = cubic(axis[index + 1] - axis[index], t, outer, inner);
     Ok((found, (found - (1.0 - t) * inner[0] - t * inner[1]).abs()))
 }
@@ -133,6 +138,6 @@ mod tests {
         assert_eq!(share(1, 0.9, 25.0), Some(1.0));
         assert!((share(2, 0.25, 30.0).unwrap() - 0.75).abs() < 1e-12);
         assert_eq!(share(1, 0.0, 10.0), None, "a point");
-        assert_eq!(share(1, 0.5, 9.0), None, "a rise below the interval");
+        assert_eq!(axis(1, 0.5, 9.0).unwrap().place.t, 0.0, "a rise below the interval");
     }
 }

@@ -84,9 +84,9 @@ pub fn check_of_others(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
         let is_binary = BINARY_DATA.iter().any(|magic| start.starts_with(magic));
         let of_others = match DatasetReader::open(output) {
             Ok(file) => !PROGRAMS.iter().any(|program| text(&file, "source").starts_with(program)),
-            Err(_) => is_binary,
+            Err(_) => is_binary || is_of_others(output, &MEASURED),
         };
-        if of_others || is_of_others(output, &MEASURED) {
+        if of_others {
             let why =
                 "holds data of another program, as of a measured surface; choose another name, or delete it";
             return refused(output, why);

@@ -70,7 +70,7 @@ pub enum ElasticLimit {
 }
 
 impl ElasticLimit {
-    /// Power of the strength that the quantity follows at most, at a given interference.
+    /// Power of the strength that the quantity of an elastic contact follows at most, at a given interference.
     pub fn strength_exponent(self) -> f64 {
         match self {
             Self::None | Self::Area | Self::ContactRadius | Self::FirstRow => 0.0,

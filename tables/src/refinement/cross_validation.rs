@@ -4,7 +4,7 @@
 //! are predicted from the others by the interpolation that a reader of the table uses. The misfit
 //! is the error of interpolation over the gap that was made; that over one of its two parts is
 //! taken to be smaller in proportion, as it is at a kink. Where the data are smooth the
-//! interpolation is of third order, and this an upper estimate.
+//! interpolation is of third order, and this an upper estimate. `G` has in addition the bound of its kink at first yield.
 
 use crate::interpolation::first_yield::largest_kink;
 use crate::interpolation::{InterpolatedTable, coordinates};

@@ -231,6 +231,13 @@ impl Scene {
         has_friction && self.interface_strength(1.0) >= self.material.elastic_plastic().shear_strength()
     }
 
+    /// Whether the interface hardens with the body.
+    fn interface_hardens(&self) -> bool {
+        let Interface { ref law, strength, .. } = self.interface;
+        let hardens = self.material.hardening.plateau().is_finite();
+        strength == InterfaceStrength::Current && hardens && law.limit().capped
+    }
+
     /// Plastic strain up to which a body does not harden beyond an interface of its own initial strength.
     pub(crate) fn plateau_below_interface(&self) -> f64 {
         match self.interface.strength {
@@ -245,9 +252,9 @@ impl Scene {
         let plateau = self.plateau_below_interface();
         let localises = self.interface_as_strong() && plastic_strain > 0.0 && plastic_strain <= plateau;
         localises.then_some(match self.interface.strength {
-            InterfaceStrength::Current => &localised_shear::HARDENING_INTERFACE,
+            InterfaceStrength::Current if self.interface_hardens() => &localised_shear::HARDENING_INTERFACE,
             InterfaceStrength::Initial if plateau.is_finite() => &localised_shear::ON_PLATEAU,
-            InterfaceStrength::Initial => &localised_shear::PERFECTLY_PLASTIC,
+            _ => &localised_shear::PERFECTLY_PLASTIC,
         })
     }
 

@@ -69,7 +69,7 @@ pub struct ElasticStrain {
 
 impl ElasticStrain {
     /// Relative change of a quantity.
-    fn share(&self, quantity: Quantity) -> f64 {
+    pub fn share(&self, quantity: Quantity) -> f64 {
         use Quantity::*;
         use elastic_strain::*;
         let friction = FRICTION * self.traction.min(1.0).powi(2);
@@ -185,7 +185,7 @@ mod tests {
     use super::*;
     use tables::quantity::{COVERAGE_FACTOR, OF_BOUND};
 
-    /// Small less finite strain, in %, of contacts without plastic flow in the press: σ_Y/E, f, ω₀/ω_c, and friction, static
+    /// Magnitude of small less finite strain, in %, of contacts without plastic flow in the press: σ_Y/E, f, ω₀/ω_c, and friction, static
     /// friction, area of the press, and G.
     const ELASTIC: [(f64, f64, f64, [f64; 4]); 7] = [
         (0.02345, 0.5, 0.3, [0.38, 0.49, 0.22, 1.94]),

@@ -110,7 +110,7 @@ pub struct StrainChoice {
     pub expected: f64,
     /// Up to which strain is taken to be small.
     pub limit: f64,
-    /// Relative change of friction by finite elastic strain.
+    /// Relative change of friction by finite elastic strain, or of `G` over its allowance.
     pub elastic: f64,
     /// Up to which it joins the errors.
     pub elastic_limit: f64,
@@ -160,7 +160,7 @@ impl Display for StrainChoice {
             }
             true if elastic > elastic_limit => write!(
                 f,
-                "finite strain: elastic strain of this material changes mu by about {}",
+                "finite strain: elastic strain of this material changes mu by about {}, or G by 2.5 times this",
                 digits(elastic, 2)
             ),
             true => write!(
@@ -172,7 +172,7 @@ impl Display for StrainChoice {
             false => write!(
                 f,
                 "small strain: a plastic strain of no more than {} is expected; kinematics = \"finite\" \
-                 would change mu by about that share, and by {} through elastic strain, which its error includes",
+                 would change mu by about that share, and mu by {} or G by 2.5 times this through elastic strain, which the errors include",
                 digits(expected, 3),
                 digits(elastic, 2)
             ),
