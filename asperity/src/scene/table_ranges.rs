@@ -47,6 +47,16 @@ impl Scene {
         self.tables_over_temperature(heat).into_iter().filter_map(remark).collect()
     }
 
+    /// Temperatures at which a property of body and flat may have a kink, K, in no order.
+    pub(crate) fn kinks_over_temperature(&self) -> Vec<f64> {
+        let references = self.softenings().into_iter().filter_map(|(_, law)| match law {
+            Softening::JohnsonCook { reference, .. } => Some(*reference),
+            _ => None,
+        });
+        let tables = self.tables_over_temperature(true);
+        tables.iter().flat_map(|(_, kelvin, _)| kelvin.iter().copied()).chain(references).collect()
+    }
+
     /// The tables over temperature that a run with or without heat reads.
     fn tables_over_temperature(&self, heat: bool) -> Vec<Points<'_>> {
         let (properties, opposite) = (&self.material.dependence, &self.counterface.dependence);

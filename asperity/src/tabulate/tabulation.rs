@@ -3,7 +3,7 @@
 use tables::numbers::plain;
 use tables::quantity::Quantity;
 use tables::refinement::{Goal, JUDGED};
-use tables::table::{Axes, Metadata, Slice, Table, TableError};
+use tables::table::{Axes, Constants, Metadata, Slice, Table, TableError};
 
 use super::cell::Finished;
 use super::journal::{CellResult, Index};
@@ -94,7 +94,15 @@ impl Tabulation {
     fn filled(&self) -> Result<Table, TableError> {
         let templates = self.request.templates();
         let slices = templates.iter().enumerate().map(|(n, scene)| self.slice(n, scene));
-        Table::new(slices.collect::<Result<Vec<Slice>, TableError>>()?)
+        let table = Table::new(slices.collect::<Result<Vec<Slice>, TableError>>()?)?;
+        let constants = self.request.material_temperatures().map(|kelvin| self.constants(&kelvin));
+        constants.into_iter().try_fold(table, Table::with_constants)
+    }
+
+    /// Constants of the material at these temperatures.
+    fn constants(&self, kelvin: &[f64]) -> Constants {
+        let at = |kelvin: &f64| self.metadata(&self.request.template.at_temperature(*kelvin));
+        Constants::of(&kelvin.iter().map(at).collect::<Vec<Metadata>>())
     }
 
     /// The tolerance that points were added for, once all are run. Such a table has one initial temperature.

@@ -25,26 +25,10 @@ const CHECKSUM: &str = "checksum";
 const ALGORITHM: &str = "sha256:";
 
 /// Names kind, version and checksum in a file that is being written.
-pub(super) fn stamp(file: &mut DatasetWriter, slices: &[Slice]) -> Result<(), DatasetError> {
+pub(super) fn stamp(file: &mut DatasetWriter, table: &Table) -> Result<(), DatasetError> {
     file.attribute("schema", SCHEMA)?;
-    file.attribute("schema_version", version(slices))?;
-    file.attribute(CHECKSUM, checksum(slices))
-}
-
-/// Version of the schema of a file of these initial temperatures.
-fn version(slices: &[Slice]) -> i32 {
-    if slices.len() > 1 { TEMPERATURES_VERSION } else { SCHEMA_VERSION }
-}
-
-/// Checksum of a table: of one slice that of the slice, of several that of the checksums of the slices, which cover their
-/// temperatures.
-fn checksum(slices: &[Slice]) -> String {
-    if let [only] = slices {
-        return only.checksum();
-    }
-    let mut content = Content(Sha256::new());
-    slices.iter().for_each(|slice| content.text(&slice.checksum()));
-    content.finish()
+    file.attribute("schema_version", table.schema_version())?;
+    file.attribute(CHECKSUM, table.checksum())
 }
 
 /// Refuses files that are no tables, or tables of another version; whether it has a dimension `temperature`.
@@ -75,8 +59,8 @@ pub(super) fn has_temperatures(file: &DatasetReader) -> Result<bool, DatasetErro
 }
 
 /// Compares what was read with the checksum in its file.
-pub(super) fn check_content(file: &DatasetReader, slices: &[Slice]) -> Result<(), DatasetError> {
-    let (stored, found) = (file.attribute_text(CHECKSUM)?, checksum(slices));
+pub(super) fn check_content(file: &DatasetReader, table: &Table) -> Result<(), DatasetError> {
+    let (stored, found) = (file.attribute_text(CHECKSUM)?, table.checksum());
     if stored == found {
         return Ok(());
     }
@@ -118,14 +102,24 @@ impl Slice {
 }
 
 impl Table {
-    /// Checksum of all of the table that a reader relies on, as in the attribute `checksum`.
+    /// Checksum of all of the table that a reader relies on, as in the attribute `checksum`: of one slice that of the slice,
+    /// of several that of the checksums of the slices, which cover their temperatures, and of the constants between these.
     pub fn checksum(&self) -> String {
-        checksum(self.slices())
+        if let [only] = self.slices() {
+            return only.checksum();
+        }
+        let mut content = Content(Sha256::new());
+        self.slices().iter().for_each(|slice| content.text(&slice.checksum()));
+        if let Some(constants) = &self.constants {
+            content.reals(&constants.temperature);
+            constants.values.values().for_each(|values| content.reals(values));
+        }
+        content.finish()
     }
 
     /// Version of the schema of its file.
     pub fn schema_version(&self) -> i32 {
-        version(self.slices())
+        if self.slices().len() > 1 { TEMPERATURES_VERSION } else { SCHEMA_VERSION }
     }
 }
 

@@ -3,11 +3,13 @@
 use std::path::Path;
 
 use super::input::read_text;
-use super::table_format::{FRACTURE_ENERGY, FRACTURE_EXPONENT, TEXT_ATTRIBUTES, history_name};
+use super::table_format::{
+    FRACTURE_ENERGY, FRACTURE_EXPONENT, MATERIAL_TEMPERATURE, TEXT_ATTRIBUTES, history_name, material_name,
+};
 use super::{DatasetError, DatasetReader, schema};
 use crate::quantity::Quantity;
 use crate::table::fracture::FractureEnergy;
-use crate::table::{ATTRIBUTES, Attribute, Axes, Cell, Metadata, Slice, Table, TableError};
+use crate::table::{ATTRIBUTES, Attribute, Axes, Cell, Constants, Metadata, Slice, Table, TableError};
 
 impl Table {
     /// Reads a table.
@@ -52,8 +54,11 @@ impl Table {
             return Err(wrong(TableError::AxisEmpty("temperature")));
         }
         read_cells(&file, &mut slices, &shape, &status)?;
-        schema::check_content(&file, &slices)?;
-        Table::new(slices).map_err(wrong)
+        let constants = read_constants(&file, slices[0].metadata())?;
+        let table = Table::new(slices).map_err(wrong)?;
+        let table = constants.into_iter().try_fold(table, Table::with_constants).map_err(wrong)?;
+        schema::check_content(&file, &table)?;
+        Ok(table)
     }
 }
 
@@ -91,6 +96,19 @@ fn read_temperatures(file: &DatasetReader, common: &Metadata) -> Result<Vec<Meta
         }
     }
     Ok(members)
+}
+
+/// Constants of the material between the temperatures of a table, if the file has them.
+fn read_constants(file: &DatasetReader, common: &Metadata) -> Result<Option<Constants>, DatasetError> {
+    if !file.has(MATERIAL_TEMPERATURE) {
+        return Ok(None);
+    }
+    let temperature = file.coordinate(MATERIAL_TEMPERATURE)?;
+    let shape = [temperature.len()];
+    let values = Attribute::changing(common)
+        .map(|attribute| Ok((attribute.name, file.reals(&material_name(attribute.name), &shape)?)))
+        .collect::<Result<_, DatasetError>>()?;
+    Ok(Some(Constants { temperature, values }))
 }
 
 /// Fills slices from variables of a shape, of which the last two are those of a table.

@@ -3,29 +3,31 @@
 use std::path::Path;
 
 use super::table_format::{
-    DIMENSIONS, FRACTURE_ENERGY, FRACTURE_EXPONENT, STATUS_MEANINGS, TEXT_ATTRIBUTES, history_name,
+    DIMENSIONS, FRACTURE_ENERGY, FRACTURE_EXPONENT, MATERIAL_TEMPERATURE, STATUS_MEANINGS, TEXT_ATTRIBUTES,
+    history_name, material_name,
 };
 use super::{AttributeValue, DatasetError, DatasetWriter, described, schema};
 use crate::quantity::{Descriptor, Estimate, Quantity, Stored};
 use crate::table::fracture::FractureEnergy;
-use crate::table::{ATTRIBUTES, Attribute, Cell, Metadata, Slice, Table};
+use crate::table::{ATTRIBUTES, Attribute, Cell, Constants, Metadata, Slice, Table};
 
 impl Table {
     /// Writes the table; the file appears whole or not at all. The dimension `temperature` is there if there are
     /// several initial temperatures.
     pub fn write(&self, path: &Path) -> Result<(), DatasetError> {
-        write(path, self.slices())
+        write(path, self)
     }
 }
 
 impl Slice {
     /// Writes a table of this initial temperature only.
     pub fn write(&self, path: &Path) -> Result<(), DatasetError> {
-        write(path, std::slice::from_ref(self))
+        write(path, &Table::from(self.clone()))
     }
 }
 
-fn write(path: &Path, slices: &[Slice]) -> Result<(), DatasetError> {
+fn write(path: &Path, table: &Table) -> Result<(), DatasetError> {
+    let slices = table.slices();
     let several = slices.len() > 1;
     let mut metadata = slices[0].metadata().clone();
     let mut file = DatasetWriter::create(path, &metadata.title)?;
@@ -43,22 +45,23 @@ fn write(path: &Path, slices: &[Slice]) -> Result<(), DatasetError> {
             }
         }
     }
-    schema::stamp(&mut file, slices)?;
-    let mut table = TableWriter { file, slices, dimensions: &DIMENSIONS[usize::from(!several)..] };
+    schema::stamp(&mut file, table)?;
+    let mut writer = TableWriter { file, slices, dimensions: &DIMENSIONS[usize::from(!several)..] };
     if several {
-        table.temperatures()?;
+        writer.temperatures()?;
+        table.constants.iter().try_for_each(|constants| writer.constants(constants))?;
     }
-    table.coordinates()?;
+    writer.coordinates()?;
     for quantity in Quantity::SCALARS {
         if slices.iter().any(|slice| slice.holds(quantity)) {
-            table.quantity(quantity.descriptor())?;
+            writer.quantity(quantity.descriptor())?;
         }
     }
     if let Some(fracture_energy) = metadata.fracture_energy {
-        table.energy_ratio(fracture_energy)?;
+        writer.energy_ratio(fracture_energy)?;
     }
-    table.state()?;
-    table.file.finish()
+    writer.state()?;
+    writer.file.finish()
 }
 
 /// A file with its attributes, to which the slices are written.
@@ -75,10 +78,8 @@ impl TableWriter<'_> {
         let of_members = |value: &dyn Fn(&Metadata) -> f64| -> Vec<f64> {
             slices.iter().map(|slice| value(slice.metadata())).collect()
         };
-        let mut attributes = described("K", "initial temperature of body and flat");
-        attributes.push(("units_metadata", "temperature: on_scale".into()));
         let temperatures = of_members(&|metadata| metadata.temperature);
-        self.file.coordinate("temperature", &temperatures, &attributes)?;
+        self.temperature_axis("temperature", &temperatures, "initial temperature of body and flat")?;
         let mut variable = |name: &str, units: &str, long_name: &str, value: &dyn Fn(&Metadata) -> f64| {
             self.file.reals(name, &["temperature"], &of_members(value), &described(units, long_name))
         };
@@ -95,6 +96,24 @@ impl TableWriter<'_> {
             variable(FRACTURE_ENERGY, units, long_name, &value)?;
         }
         Ok(())
+    }
+
+    /// Constants of the material between the temperatures of the table.
+    fn constants(&mut self, constants: &Constants) -> Result<(), DatasetError> {
+        let long_name = "initial temperature of the constants of the material";
+        self.temperature_axis(MATERIAL_TEMPERATURE, &constants.temperature, long_name)?;
+        for attribute in Attribute::changing(self.slices[0].metadata()) {
+            let Some((units, long_name)) = attribute.over_temperature else { continue };
+            let (name, values) = (material_name(attribute.name), &constants.values[attribute.name]);
+            self.file.reals(&name, &[MATERIAL_TEMPERATURE], values, &described(units, long_name))?;
+        }
+        Ok(())
+    }
+
+    fn temperature_axis(&mut self, name: &str, kelvin: &[f64], long_name: &str) -> Result<(), DatasetError> {
+        let mut attributes = described("K", long_name);
+        attributes.push(("units_metadata", "temperature: on_scale".into()));
+        self.file.coordinate(name, kelvin, &attributes)
     }
 
     fn grid(&self) -> &'static [&'static str] {

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::*;
 use crate::quantity::Quantity;
 use crate::table::Axes;
-use crate::table::{Cell, FractureEnergy, Metadata, Slice, Table};
+use crate::table::{Cell, Constants, FractureEnergy, Metadata, Slice, Table};
 
 fn table() -> Slice {
     let axes =
@@ -213,6 +213,11 @@ fn what_is_written_is_read_back() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name);
     several().write(&place("several.nc")).unwrap();
+    let rows = several().slices().iter().map(|slice| slice.metadata().clone()).collect::<Vec<_>>();
+    let dense = several().with_constants(Constants::of(&rows)).unwrap();
+    dense.write(&place("dense.nc")).unwrap();
+    assert_eq!(Table::read(&place("dense.nc")).unwrap(), dense);
+    assert_ne!(dense.checksum(), several().checksum());
     table().write(&place("one.nc")).unwrap();
     assert_eq!(Table::read(&place("several.nc")).unwrap(), several());
     assert_eq!(*Table::read(&place("one.nc")).unwrap().only().unwrap(), table());

@@ -10,6 +10,7 @@ mod attributes;
 mod axes;
 mod cell;
 pub mod comparison;
+mod constants;
 pub mod fracture;
 mod merge;
 mod metadata;
@@ -19,10 +20,13 @@ mod slice;
 pub(crate) use attributes::{ATTRIBUTES, Attribute, Group};
 pub use axes::Axes;
 pub use cell::{Cell, Status};
+pub use constants::Constants;
 pub use fracture::FractureEnergy;
 pub use merge::{LABEL_DIGITS, label};
 pub use metadata::Metadata;
 pub use slice::Slice;
+
+use std::borrow::Cow;
 
 use axes::check_axis;
 use merge::first_difference;
@@ -77,11 +81,13 @@ fn of_celsius(asked: f64, from: f64, to: f64) -> String {
 pub struct Table {
     /// Slices by rising initial temperature, at least one.
     slices: Vec<Slice>,
+    /// Constants of the material between the temperatures, if they are known there.
+    pub(crate) constants: Option<Constants>,
 }
 
 impl From<Slice> for Table {
     fn from(slice: Slice) -> Self {
-        Self { slices: vec![slice] }
+        Self { slices: vec![slice], constants: None }
     }
 }
 
@@ -89,7 +95,7 @@ impl Table {
     /// Puts slices of rising initial temperature together. They must have the same axes and the same metadata but
     /// for initial temperature, yield strength, strength of a film, contact modulus, ω_c and fracture energy.
     pub fn new(slices: Vec<Slice>) -> Result<Self, TableError> {
-        let table = Self { slices };
+        let table = Self { slices, constants: None };
         if table.slices.len() != 1 {
             check_axis("temperature", &table.temperatures(), true)?;
         }
@@ -103,6 +109,24 @@ impl Table {
             }
         }
         Ok(table)
+    }
+
+    /// With the constants of the material between the initial temperatures; of a table of one they are not used.
+    pub fn with_constants(mut self, constants: Constants) -> Result<Self, TableError> {
+        if self.slices.len() > 1 {
+            check_axis("material_temperature", &constants.temperature, true)?;
+            self.constants = Some(constants);
+        }
+        Ok(self)
+    }
+
+    /// Constants of the material over the initial temperature: those between the temperatures of the table if they are known,
+    /// or those of the table.
+    pub fn constants(&self) -> Cow<'_, Constants> {
+        match &self.constants {
+            Some(constants) => Cow::Borrowed(constants),
+            None => Cow::Owned(Constants::of(self.slices.iter().map(Slice::metadata))),
+        }
     }
 
     /// The table at each of its initial temperatures.

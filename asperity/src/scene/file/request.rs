@@ -17,6 +17,9 @@ use super::relations;
 use super::source::{Source, join};
 use crate::scene::{Control, Rate, Scene};
 
+/// Steps of the constants of the material from one initial temperature of a table to the next.
+const TEMPERATURE_DIVISIONS: u32 = 32;
+
 /// A grid of scenes that differ in interference and slip rate, at one or at several initial temperatures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
@@ -41,13 +44,29 @@ impl Request {
         }
     }
 
+    /// Initial temperatures for the constants of the material between those of the table, with the kinks of the laws; none for
+    /// one temperature.
+    pub fn material_temperatures(&self) -> Option<Vec<f64>> {
+        let (first, last) = (*self.temperatures.first()?, *self.temperatures.last()?);
+        let inner = self.temperatures.windows(2).flat_map(|pair| {
+            (0..TEMPERATURE_DIVISIONS)
+                .map(move |n| pair[0] + (pair[1] - pair[0]) * f64::from(n) / f64::from(TEMPERATURE_DIVISIONS))
+        });
+        let kinks = self.template.kinks_over_temperature();
+        let kinks = kinks.into_iter().filter(|kelvin| (first..last).contains(kelvin));
+        let mut all: Vec<f64> = inner.chain(kinks).chain([last]).collect();
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        Some(all)
+    }
+
     /// Warnings about all cells, a sentence each; see [`Scene::remarks`].
     pub fn remarks(&self) -> Vec<String> {
         let of_template = self.template.remarks_with(&document(self));
         let lowest = self.temperatures.first().map(|lowest| self.template.at_temperature(*lowest));
         let of_lowest = lowest.and_then(|scene| scene.below_reference("table.temperature"));
         let of_load = self.of_held_load();
-        of_template.into_iter().chain(of_lowest).chain(self.between_temperatures()).chain(of_load).collect()
+        of_template.into_iter().chain(of_lowest).chain(of_load).collect()
     }
 
     fn of_held_load(&self) -> Option<String> {

@@ -1,8 +1,6 @@
 //! What is worth knowing about a scene before it is run: implausible values, strengths that make the result depend on
 //! the mesh, defaults in effect.
 
-mod temperatures;
-
 use std::collections::HashMap;
 
 use tables::closed_forms::adhesion::{ATOMIC_SPACING, CONTAMINATED_METALS, pull_off_force};

@@ -16,6 +16,20 @@ fn a_film_has_its_strength_at_each_temperature() {
 }
 
 #[test]
+fn the_table_has_the_kinks_of_the_strength_between_its_temperatures() {
+    let softening =
+        "[material.softening]\nlaw = \"table\"\ntemperature = [298, 440, 700]\nfactor = [1.0, 0.9, 0.1]\n";
+    let request = format!("{TEMPERATURES}{softening}");
+    let template = self::request(&request).template;
+    let law = |kelvin: f64| template.at_temperature(kelvin).material.yield_strength;
+    let all = table(&whole(&request, &Fake::default(), 1));
+    for kelvin in [310.0, 439.0, 440.0, 441.0, 650.0] {
+        let found = all.at(kelvin).unwrap().metadata().yield_strength;
+        assert!((found / law(kelvin) - 1.0).abs() < 1e-3, "{kelvin}: {found} {}", law(kelvin));
+    }
+}
+
+#[test]
 fn a_counterface_over_temperature_is_that_of_the_lowest_one() {
     let all = table(&whole(
         &format!("{TEMPERATURES}[counterface]\npreset = \"titanium-6al4v\"\n"),

@@ -118,9 +118,11 @@ impl Column<'_> {
             let line = Line::new(self.temperatures, place, value, blend_one);
             let unit = Units::of(quantity, self.units.here);
             let found = unit * line.value();
-            let [e, f] = [place.index, place.index + 1]
-                .map(|member| self.cells[member].map_or(f64::NAN, |cell| cell[quantity].error));
-            let given = (1.0 - place.t) * e + place.t * f;
+            let error = |member: usize| {
+                let known = self.cells[member].map_or(f64::NAN, |cell| cell[quantity].error);
+                known / Units::of(quantity, self.units.members[member])
+            };
+            let given = unit * ((1.0 - place.t) * error(place.index) + place.t * error(place.index + 1));
             let bound = unit * line.error() + self.units.error(quantity) * found.abs();
             let error = given.hypot(COVERAGE_FACTOR * OF_BOUND * bound);
             cell[quantity] = Estimate { value: base(quantity) + found, error };

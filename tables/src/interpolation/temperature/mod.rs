@@ -1,7 +1,7 @@
 //! Tables at several initial temperatures of body and flat, and the table at one between them.
 //!
-//! Between the temperatures yield strength and contact modulus follow a monotone cubic in the
-//! temperature. Forces, areas, lengths and energies are counted in units that are powers of the two, at
+//! Yield strength and contact modulus between the temperatures are those of the file, or follow a monotone cubic through
+//! the temperatures where it does not state them. Forces, areas, lengths and energies are counted in units that are powers of the two, at
 //! each temperature its own, in which they change little (of the elastic-plastic sphere without heat
 //! not at all); in these units they follow a monotone cubic of the logarithm. Of temperatures it is the
 //! rise above the initial one. Errors are those of the tables on both sides, interpolated linearly, and, added
@@ -54,13 +54,18 @@ impl Table {
         let place = locate(temperatures, temperature);
         let sides = [&self.slices()[place.index], &self.slices()[place.index + 1]];
         let known: Vec<&Metadata> = self.slices().iter().map(Slice::metadata).collect();
-        let strength = Line::new(temperatures, place, |member| known[member].yield_strength, cubic);
-        let modulus = Line::new(temperatures, place, |member| known[member].contact_modulus, cubic);
+        let constants = self.constants();
+        let rows = &constants.temperature[..];
+        let constant = |name: &str, row: usize| constants.values[name][row];
+        let line = |name: &'static str| {
+            Line::new(rows, locate(rows, temperature), move |row| constant(name, row), cubic)
+        };
+        let (strength, modulus) = (line("yield_strength"), line("contact_modulus"));
         let (strengths, moduli) = (strength.value(), modulus.value());
         // In its unit ω_c is the same at all temperatures, if it is that of one yield criterion.
-        let of = |member: usize| (known[member].yield_strength / known[member].contact_modulus).powi(2);
-        let critical = |member: usize| known[member].critical_interference / of(member);
-        let critical = Line::new(temperatures, place, critical, blend_one).value();
+        let of = |row: usize| (constant("yield_strength", row) / constant("contact_modulus", row)).powi(2);
+        let critical = |row: usize| constant("critical_interference", row) / of(row);
+        let critical = Line::new(rows, locate(rows, temperature), critical, blend_one).value();
         let fracture = |member: usize| known[member].fracture_energy.map_or(f64::NAN, |law| law.coefficient);
         let fracture = Line::new(temperatures, place, fracture, blend_one).value();
         let mut metadata = Metadata {
@@ -74,8 +79,8 @@ impl Table {
             ..known[0].clone()
         };
         for attribute in Attribute::changing(known[0]).filter(|attribute| !attribute.required) {
-            let value = |member: usize| (attribute.get)(known[member]).unwrap_or(f64::NAN);
-            let here = Line::new(temperatures, place, value, blend_one).value();
+            let value = |row: usize| constant(attribute.name, row);
+            let here = Line::new(rows, locate(rows, temperature), value, blend_one).value();
             (attribute.set)(&mut metadata, here);
         }
         let units = Units {

@@ -3,7 +3,7 @@
 use super::*;
 use crate::law::AsperityLaw;
 use crate::quantity::Quantity;
-use crate::table::{Axes, Status};
+use crate::table::{Axes, Constants, Status};
 
 const TEMPERATURES: [f64; 5] = [300.0, 450.0, 600.0, 800.0, 1000.0];
 const INITIAL_STRENGTH: f64 = 800e6;
@@ -171,6 +171,35 @@ fn between_its_temperatures_it_is_smooth_and_meets_its_tables() {
     // A power of ω_c at every temperature is one in between.
     let expected = 0.7 * (10.0 * table.metadata().critical_interference / 1e-7).powf(1.5);
     assert!((numbers[1] / expected - 1.0).abs() < 1e-12);
+}
+
+/// The response in units of strength and modulus does not change; the strength has a kink at 700 K.
+#[test]
+fn a_kink_of_the_strength_between_the_temperatures_adds_no_error() {
+    let strength = |kelvin: f64| 1e7 * (if kelvin < 700.0 { 1.0 } else { 1.0 - (kelvin - 700.0) / 320.0 });
+    let of = |kelvin: f64| {
+        let mut slice = table(kelvin);
+        let yield_strength = strength(kelvin);
+        let metadata = slice.metadata_mut();
+        metadata.yield_strength = yield_strength;
+        metadata.critical_interference = 1e-3 * (yield_strength / metadata.contact_modulus).powi(2);
+        for (i, j) in slice.grid() {
+            let load = yield_strength.powi(3) * (1.0 + i as f64);
+            let cell = slice.cell(i, j).unwrap().clone().with(Quantity::Load, load, 0.0);
+            slice.set_cell(i, j, cell).unwrap();
+        }
+        slice
+    };
+    let rough = Table::new([300.0, 600.0, 1000.0].map(of).to_vec()).unwrap();
+    let rows: Vec<Metadata> = (0..=70).map(|n| of(300.0 + 10.0 * f64::from(n)).metadata().clone()).collect();
+    let exact = rough.clone().with_constants(Constants::of(&rows)).unwrap();
+    for kelvin in [650.0, 700.0, 805.0, 950.0] {
+        let read = |table: &Table| table.at(kelvin).unwrap().cell(1, 1).unwrap()[Quantity::Load];
+        let truth = 2.0 * strength(kelvin).powi(3);
+        let (rough, exact) = (read(&rough), read(&exact));
+        assert!((exact.value / truth - 1.0).abs() < 1e-3, "{kelvin}: {exact:?} {truth:e}");
+        assert!(exact.error < 3e-3 * truth && rough.error > 0.5 * truth, "{kelvin}: {exact:?} {rough:?}");
+    }
 }
 
 #[test]
