@@ -1,4 +1,4 @@
-//! The press: a θ-independent problem without heat, in full stick, or without friction if the interface has none or the
+//! The press: a θ-independent problem without heat, quasi-static or within a time, in full stick, or without friction if the interface has none or the
 //! counterface is displaced as the asperity is.
 
 use crate::discretisation::body::Body;
@@ -61,6 +61,8 @@ pub fn press_on(
         let start = extrapolate(&before.1, &mechanics.displacement, before.0, done, interference);
         let committed = mechanics.displacement.clone();
         let contact_fraction = mechanics.contact.contact_fraction.clone();
+        // The contact radius, in proportion to √ω, grows uniformly in time.
+        mechanics.body.time_step = problem.press_time * (next - radius);
         match press_to(problem, &mut mechanics, interference, start, stop) {
             Ok(increment) => {
                 increments.push(increment);

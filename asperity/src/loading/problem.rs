@@ -39,6 +39,8 @@ pub struct Problem {
     /// the asperity.
     pub interface: Interface,
     pub press_friction: PressFriction,
+    /// Time of the press, s; infinite where it is quasi-static.
+    pub press_time: f64,
     /// β² on a rigid flat, on which the asperity slides, less that of the two bodies.
     pub coupling_of_flat: f64,
     /// Loading control of the slide.
@@ -132,7 +134,7 @@ impl Problem {
         if counterface.is_some() {
             interface.heat_partition = 1.0;
         }
-        Self {
+        let mut problem = Self {
             solid: Solid::new(material, scene.loading.temperature),
             finite_strain: scene.model.kinematics == Kinematics::Finite,
             contact_modulus: body.contact_modulus() / material.yield_strength,
@@ -142,6 +144,7 @@ impl Problem {
             interference: scene.loading.interference * critical,
             interface,
             press_friction,
+            press_time: f64::INFINITY,
             coupling_of_flat: rigid - both,
             control: scene.loading.control,
             wave_speed: wave_speed * scene.radius / diffusivity,
@@ -157,7 +160,9 @@ impl Problem {
                 time: scene.radius * scene.radius / diffusivity,
                 temperature: scene.loading.temperature,
             },
-        }
+        };
+        problem.press_time = scene.loading.press_time(problem.expected_contact_radius() * scene.radius);
+        problem
     }
 
     /// d ln P/d ln E* at a held interference by Jackson & Green 2005: 1 in elastic contact, 0 in fully plastic.

@@ -25,6 +25,10 @@ pub struct Loading {
     /// Slip distance in contact radii a₀ at the end of the press; infinite for `"steady"`. Of a programme the sum of its steps.
     #[serde(default = "default_slip_distance", with = "until_steady")]
     pub slip_distance: f64,
+    /// Slip in contact radii a₀ at the slip rate of the first step, in whose time the contact forms; none where the press is
+    /// quasi-static.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub press_slip_distance: Option<f64>,
     #[serde(default)]
     pub control: Control,
     /// Initial temperature T₀ of body and flat, K.
@@ -66,6 +70,12 @@ impl Loading {
             Some(_) => Some("loading.load"),
             None => self.is_until_steady().then_some("loading.slip_distance = \"steady\""),
         }
+    }
+
+    /// Time of the press, s, of a contact of radius a₀ (m): infinite where it is quasi-static.
+    pub fn press_time(&self, contact_radius: f64) -> f64 {
+        self.press_slip_distance
+            .map_or(f64::INFINITY, |distance| distance * contact_radius / self.first_slip_rate())
     }
 
     /// Whether the slide goes on until friction is steady.

@@ -196,6 +196,11 @@ pub(crate) fn find_what_is_open(
 
 /// Slide the pressed asperity at `slip_rate` (m/s).
 pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
+    let loading = &pressed.scene.loading;
+    if loading.press_slip_distance.is_some() && slip_rate != loading.first_slip_rate() {
+        let reason = "loading.press_slip_distance at several slip rates from one press: press at each".into();
+        return Err(SimulationError::Unsupported(reason));
+    }
     slide_refined(pressed, slip_rate, REFINEMENTS, watch)
 }
 

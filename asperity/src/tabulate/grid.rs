@@ -1,4 +1,4 @@
-//! Runs the cells of a grid: one press serves all slip rates of an interference, the largest
+//! Runs the cells of a grid: one quasi-static press serves all slip rates of an interference, the largest
 //! interferences first.
 //!
 //! Each thread has one press or slide at a time. In a common pool of threads one that waits for a part of its run would begin
@@ -112,23 +112,26 @@ impl<'a, S: Simulator> Grid<'a, S> {
         }
     }
 
-    /// Presses once for those slip rates that are wanted and not done.
+    /// Presses for those slip rates that are wanted and not done: once, unless the press depends on the slip rate.
     fn press_row(&self, i: usize) {
         let pending = self.pending(i);
-        let pressed = if pending.is_empty() { Err(None) } else { self.press(i) };
-        let slides = match pressed {
+        let served = match self.work.layout.template(i).loading.press_slip_distance {
+            Some(_) => 1,
+            None => pending.len().max(1),
+        };
+        let slides = pending.chunks(served).flat_map(|rates| match self.press((i, rates[0])) {
             Ok(pressed) => {
                 let pressed = Arc::new(pressed);
-                pending.into_iter().map(|j| (pressed.clone(), (i, j))).collect()
+                rates.iter().map(|&j| (pressed.clone(), (i, j))).collect()
             }
             Err(reason) => {
                 let failed =
-                    reason.into_iter().flat_map(|reason| pending.iter().map(move |&j| (j, reason.clone())));
+                    reason.into_iter().flat_map(|reason| rates.iter().map(move |&j| (j, reason.clone())));
                 failed.for_each(|(j, reason)| self.finish((i, j), Err(reason)));
                 Vec::new()
             }
-        };
-        self.queue.pressed(slides);
+        });
+        self.queue.pressed(slides.collect::<Vec<_>>());
     }
 
     /// Slip rates at which the cells of an interference are wanted and not done.
@@ -136,8 +139,8 @@ impl<'a, S: Simulator> Grid<'a, S> {
         self.work.pending(self.lock().known).filter(|at| at.0 == i).map(|at| at.1).collect()
     }
 
-    fn press(&self, i: usize) -> Result<S::Pressed, Option<String>> {
-        let scene = self.work.layout.scene((i, 0));
+    fn press(&self, index: Index) -> Result<S::Pressed, Option<String>> {
+        let scene = self.work.layout.scene(index);
         guard(|| self.simulator.press(&scene, self))
     }
 

@@ -177,6 +177,7 @@ impl Tabulation {
             pressure_coefficient: film.map(|(_, coefficient)| coefficient),
             rate_coefficient,
             rate_reference,
+            press_slip_distance: scene.loading.press_slip_distance,
             temperature: scene.loading.temperature,
             heat_partition: interface.heat_partition,
             gap_conductance: match scene.counterface.contact_conductance {

@@ -99,36 +99,42 @@ impl InterpolatedTable {
         Ok(())
     }
 
-    /// Response at R = `ratio`·R_t from a state at R_t, which takes the slip at R_t.
+    /// Response at R = `ratio`·R_t from a state of the table, which takes interference and slip in the table.
     fn scaled(
         &self,
         interference: f64,
         slip_rate: f64,
         ratio: f64,
         slip: f64,
-        state: impl Fn(f64) -> Result<(Values, Errors), Absent>,
+        state: impl Fn(f64, f64) -> Result<(Values, Errors), Absent>,
     ) -> Result<Response, Absent> {
         let base = self.metadata().temperature;
+        let similar = self.similarity(slip_rate, ratio);
+        let (interference, slip) = (similar.interference(interference), similar.slip(slip));
         let (values, errors) =
-            if interference > 0.0 { state(slip.max(0.0) / ratio)? } else { Default::default() };
-        let strength =
-            self.strength_change(interference, slip_rate * ratio, ratio).after(slip.max(0.0) / ratio);
+            if interference > 0.0 { state(interference, slip)? } else { Default::default() };
+        let strength = self.strength_change(interference, slip_rate * ratio, ratio).after(slip);
         let estimate = |field: StateQuantity, scale: f64, limit: ElasticLimit| {
             let effect = strength.of(limit);
             let (value, error) = (values[field as usize], errors[field as usize].abs());
             Estimate {
                 value: scale * effect.factor * value,
-                error: scale * effect.factor * (value * (error + effect.error)).abs(),
+                error: scale * effect.factor * (value * (error + effect.error + similar.error())).abs(),
             }
         };
-        let squared = ratio * ratio;
         let rise = estimate(StateQuantity::TemperatureRise, 1.0, ElasticLimit::TemperatureRise);
         Ok(Response {
-            load: estimate(StateQuantity::Load, squared, ElasticLimit::Load),
-            friction: estimate(StateQuantity::Friction, squared, ElasticLimit::SlidingFriction),
-            area: estimate(StateQuantity::Area, squared, ElasticLimit::Area),
+            load: estimate(StateQuantity::Load, similar.scale(Quantity::Load), ElasticLimit::Load),
+            friction: estimate(
+                StateQuantity::Friction,
+                similar.scale(Quantity::Friction),
+                ElasticLimit::SlidingFriction,
+            ),
+            area: estimate(StateQuantity::Area, similar.scale(Quantity::Area), ElasticLimit::Area),
             temperature_max: Estimate { value: base + rise.value, error: rise.error },
-            coefficient_error: errors[COEFFICIENT] + strength.of(ElasticLimit::SlidingCoefficient).error,
+            coefficient_error: errors[COEFFICIENT]
+                + strength.of(ElasticLimit::SlidingCoefficient).error
+                + similar.error(),
         })
     }
 
@@ -151,11 +157,11 @@ impl InterpolatedTable {
     fn located_rate(&self, interference: f64, slip_rate: f64, ratio: f64) -> Result<Location, LookupError> {
         self.check_interference(interference)?;
         let rates = &self.axes().slip_rate;
-        (self.interpolant.locate_rate(slip_rate * ratio)).ok_or(LookupError::SlipRateOutside {
-            slip_rate,
-            from: rates[0] / ratio,
-            to: rates[rates.len() - 1] / ratio,
-        })
+        let (first, last) = (rates[0], rates[rates.len() - 1]);
+        let outside = LookupError::SlipRateOutside { slip_rate, from: first / ratio, to: last / ratio };
+        self.interpolant.locate_rate(slip_rate * ratio).ok_or(outside)?;
+        let similar = self.similarity(slip_rate, ratio).slip_rate(slip_rate);
+        Ok(self.interpolant.locate_rate(similar.clamp(first, last)).expect("within the slip rates"))
     }
 
     fn absent(&self, (i, j): Absent, ratio: f64) -> LookupError {
@@ -211,9 +217,11 @@ impl AsperityLaw for InterpolatedTable {
 
     fn radius_uncertainty(&self, radius: f64) -> f64 {
         let ratio = radius / self.metadata().asperity_radius;
-        let at = |rate: &f64| self.strength_change(self.interference_limit(), *rate, ratio);
-        let errors =
-            self.axes().slip_rate.iter().map(|rate| at(rate).of(ElasticLimit::SlidingCoefficient).error);
+        let at = |rate: &f64| {
+            let change = self.strength_change(self.interference_limit(), *rate, ratio);
+            change.of(ElasticLimit::SlidingCoefficient).error + self.similarity(*rate / ratio, ratio).error()
+        };
+        let errors = self.axes().slip_rate.iter().map(at);
         errors.fold(0.0, f64::max)
     }
 
@@ -247,7 +255,7 @@ impl AsperityLaw for InterpolatedTable {
     ) -> Result<Response, LookupError> {
         let ratio = self.radius_ratio(radius)?;
         let rate = self.located_rate(interference, slip_rate, ratio)?;
-        let state = |slip| self.interpolant.state(interference, rate, slip);
+        let state = |interference, slip| self.interpolant.state(interference, rate, slip);
         self.scaled(interference, slip_rate, ratio, slip, state).map_err(|absent| self.absent(absent, ratio))
     }
 
@@ -263,7 +271,7 @@ impl AsperityLaw for InterpolatedTable {
             if interference < first {
                 return self.response(radius, interference, slip_rate, slip);
             }
-            let state = |slip| column.state(interference, Location::on(0), slip);
+            let state = |interference, slip| column.state(interference, Location::on(0), slip);
             self.scaled(interference, slip_rate, ratio, slip, state)
                 // The general lookup gives the reason of an error.
                 .or_else(|_| self.response(radius, interference, slip_rate, slip))

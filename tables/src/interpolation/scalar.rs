@@ -24,6 +24,8 @@ impl InterpolatedTable {
     ) -> Result<Estimate, LookupError> {
         let ratio = self.radius_ratio(radius)?;
         let rate = self.located_rate(interference, slip_rate, ratio)?;
+        let similar = self.similarity(slip_rate, ratio);
+        let interference = similar.interference(interference);
         let absent = |absent| self.absent(absent, ratio);
         let rows @ (first, last) = self.interpolant.rows.ok_or((0, 0)).map_err(absent)?;
         let origin = quantity.origin(self.metadata().temperature);
@@ -68,8 +70,9 @@ impl InterpolatedTable {
         let descriptor = quantity.descriptor();
         let limit = if descriptor.of_press { ElasticLimit::None } else { descriptor.elastic_limit };
         let of_rate = self.strength_change(interference, slip_rate * ratio, ratio).of(limit);
-        let (value, error) = (of_rate.factor * value, of_rate.factor * (error + of_rate.error * value.abs()));
-        let scale = ratio.powi(descriptor.radius_exponent);
+        let relative = of_rate.error + similar.error();
+        let (value, error) = (of_rate.factor * value, of_rate.factor * (error + relative * value.abs()));
+        let scale = similar.scale(quantity);
         Ok(Estimate { value: scale * (origin + value), error: scale * error })
     }
 

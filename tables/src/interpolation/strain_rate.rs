@@ -9,11 +9,14 @@
 //!   0.012 to 0.07), against the shipped tables of 0.1 mm: 30 values of n at each interference.
 //! - Residual: of 108 cells, those of a sixth metal (C = 0.002) included, 94 to 100 % of each quantity lie within the errors.
 //! - Repeated by: `asperity tabulate`, with the requests of `tables/data/*-rate.toml` at another radius.
+//!
+//! Where the contact forms within the time of a slip (`press_slip_distance`), the strength of the press changes as that of the
+//! slide does, and the contact is [similar](Similarity) to one of the table.
 
 use super::InterpolatedTable;
 use super::interpolant::Interpolant;
 use crate::law::AsperityLaw;
-use crate::quantity::ElasticLimit;
+use crate::quantity::{ElasticLimit, Quantity};
 
 /// Change of the strength from that of the table, at an interference and a slip rate.
 #[derive(Clone, Copy, Debug, Default)]
@@ -34,6 +37,49 @@ pub(super) struct StrengthChange {
 pub(super) struct RateEffect {
     pub(super) factor: f64,
     pub(super) error: f64,
+}
+
+/// A contact at R = `ratio`·R_t with Λ(R)/Λ(R_t) times the strength of the table, in press and slide. In units of strength and
+/// modulus it is that of the table at the interference over ω_c of the higher strength.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Similarity {
+    ratio: f64,
+    /// Λ(R)/Λ(R_t); 1 where the press is quasi-static.
+    strength: f64,
+}
+
+impl Similarity {
+    /// p of the factor (Λ(R)/Λ(R_t))ᵖ of the slip rate at which the contact of the table is as hot: 2 at low and 3 at high Péclet
+    /// numbers, where the rise follows τVa and τ√(Va) with a contact radius in proportion to Λ.
+    const HEAT: f64 = 2.5;
+    /// Relative error over ln(Λ(R)/Λ(R_t)).
+    const ERROR: f64 = 0.3;
+
+    /// ω/ω_c in the table.
+    pub(super) fn interference(self, interference: f64) -> f64 {
+        interference / self.strength.powi(2)
+    }
+
+    /// V in the table, m/s.
+    pub(super) fn slip_rate(self, slip_rate: f64) -> f64 {
+        slip_rate * self.ratio * self.strength.powf(Self::HEAT)
+    }
+
+    /// Slip in the table, m.
+    pub(super) fn slip(self, slip: f64) -> f64 {
+        slip.max(0.0) / (self.ratio * self.strength)
+    }
+
+    /// Factor of a quantity by its exponents of radius and strength.
+    pub(super) fn scale(self, quantity: Quantity) -> f64 {
+        let descriptor = quantity.descriptor();
+        self.ratio.powi(descriptor.radius_exponent) * self.strength.powi(descriptor.material_exponents.0)
+    }
+
+    /// Relative error that the change of the strength adds.
+    pub(super) fn error(self) -> f64 {
+        Self::ERROR * self.strength.ln().abs()
+    }
 }
 
 /// s/a₀ at which contacts slide, within the range of the slips at inception.
@@ -83,12 +129,29 @@ impl StrengthChange {
 }
 
 impl InterpolatedTable {
+    /// The contact of the table to which one at R = `ratio`·R_t and a slip rate (m/s) is similar. The ratio of the strengths hardly
+    /// depends on the interference.
+    pub(super) fn similarity(&self, slip_rate: f64, ratio: f64) -> Similarity {
+        let sphere = &self.interpolant.sphere;
+        let strength = match self.metadata().press_slip_distance {
+            Some(_) if ratio != 1.0 => {
+                let contact =
+                    sphere.contact_radius((self.interference_start() * self.interference_limit()).sqrt());
+                let here = sphere.rate_factor(slip_rate, contact * ratio);
+                here / sphere.rate_factor(slip_rate * ratio, contact)
+            }
+            _ => 1.0,
+        };
+        Similarity { ratio, strength }
+    }
+
     /// Change of the strength at R = `ratio`·R_t; `slip_rate` is that of the table at the same VR (m/s).
     pub(super) fn strength_change(&self, interference: f64, slip_rate: f64, ratio: f64) -> StrengthChange {
         let metadata = self.metadata();
         let (Some(coefficient), Some(rows)) = (metadata.rate_coefficient, self.interpolant.rows) else {
             return StrengthChange::default();
         };
+        let is_similar = metadata.press_slip_distance.is_some();
         if interference <= 0.0 || (ratio == 1.0 && interference <= self.interference_limit()) {
             return StrengthChange::default();
         }
@@ -99,7 +162,7 @@ impl InterpolatedTable {
         let here = sphere.rate_factor(slip_rate / ratio, contact_radius * ratio);
         let above = (interference / self.interference_limit()).max(1.0).ln();
         StrengthChange {
-            known: (here / of_table).ln(),
+            known: if is_similar { 0.0 } else { (here / of_table).ln() },
             extrapolated: 0.5 * coefficient / here * above,
             log_interference: interference.ln(),
             contact_radius,

@@ -155,7 +155,7 @@ impl Content {
         if !metadata.counterface.is_empty() {
             self.text(&metadata.counterface);
         }
-        for group in [Group::Table, Group::Film, Group::RateLaw] {
+        for group in [Group::Table, Group::Film, Group::RateLaw, Group::Press] {
             let of_group = ATTRIBUTES.iter().filter(|attribute| attribute.group == group);
             let values: Vec<Option<f64>> = of_group.map(|attribute| (attribute.get)(metadata)).collect();
             if values[0].is_some() {

@@ -9,6 +9,7 @@ pub(crate) enum Group {
     /// Film or Coulomb's law.
     Film,
     RateLaw,
+    Press,
 }
 
 /// A number of the metadata, in SI units.
@@ -52,7 +53,7 @@ macro_rules! optional {
 }
 
 /// In the order of the checksum within a group, and of files within those that are required or not.
-pub(crate) static ATTRIBUTES: [Attribute; 14] = [
+pub(crate) static ATTRIBUTES: [Attribute; 15] = [
     required!(asperity_radius),
     required!(critical_interference).over_temperature("m", "interference of first yield"),
     required!(contact_modulus)
@@ -70,6 +71,7 @@ pub(crate) static ATTRIBUTES: [Attribute; 14] = [
     optional!(interpolation_tolerance, Table),
     optional!(rate_coefficient, RateLaw),
     optional!(rate_reference, RateLaw),
+    optional!(press_slip_distance, Press),
 ];
 
 impl Attribute {

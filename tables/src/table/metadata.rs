@@ -44,6 +44,8 @@ pub struct Metadata {
     pub rate_coefficient: Option<f64>,
     /// ε̇₀, 1/s.
     pub rate_reference: Option<f64>,
+    /// Slip in contact radii in whose time the contact forms; none where the press is quasi-static.
+    pub press_slip_distance: Option<f64>,
     /// Initial temperature of body and flat, K.
     pub temperature: f64,
     /// f_h, share of the frictional heat that enters the asperity; a result where the counterface conducts.

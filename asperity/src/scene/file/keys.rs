@@ -216,6 +216,7 @@ pub const LOADING: &[Key] = &[
     key("load", Number("N", POSITIVE)),
     key("slip_rate", Number("m/s, 0 is the isothermal limit", SLIP_RATE)),
     key("slip_distance", NumberOr("contact radii", SLIP_DISTANCE, "steady")),
+    key("press_slip_distance", Number("contact radii", STEP_DISTANCE)),
     key("control", Name),
     key("temperature", Number("K", POSITIVE)),
     key("steps", Sections(STEP)),

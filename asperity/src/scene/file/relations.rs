@@ -46,6 +46,13 @@ pub fn check_material(scene: &Scene, source: &Source) -> Result<(), SceneFileErr
         }
     }
     check_temperature(scene, "loading.temperature", scene.loading.temperature, source)?;
+    if let Some(distance) = scene.loading.press_slip_distance
+        && material.rate == Rate::None
+    {
+        let allowed =
+            "left out without a rate law (material.rate): the press then does not depend on its time";
+        return Err(source.invalid("loading.press_slip_distance", format!("{distance:?}"), allowed));
+    }
     if material.yield_strength >= material.youngs_modulus {
         let mut allowed = format!("below youngs_modulus = {:?} (both in Pa)", material.youngs_modulus);
         if let Some(remark) = plausible::remark("material.youngs_modulus", material.youngs_modulus) {
@@ -130,6 +137,11 @@ mod tests {
             let error = refused("copper", rate);
             assert!(error.contains("material.rate") && error.contains(message), "{error}");
         }
+        // A press within a time has no effect without one.
+        let set = ["loading.press_slip_distance=1"];
+        let text = format!("{SCENE}[loading]\ninterference = 20\nslip_rate = 1\n");
+        let error = parse(&text, &set).unwrap_err();
+        assert!(error.contains("left out without a rate law"), "{error}");
         // The standard has no rate law that the scene could take.
         let error = refused("carbon-steel-en1993", "{ law = \"johnson-cook\" }");
         assert!(error.contains("material.rate.coefficient is missing"), "{error}");

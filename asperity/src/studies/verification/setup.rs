@@ -74,6 +74,7 @@ pub fn scene(material: Material, law: FrictionLaw, interference: f64, mesh: Mesh
             slip_rate: 0.0,
             slip_distance: 1e-6,
             steps: Vec::new(),
+            press_slip_distance: None,
             control: Control::Interference,
             temperature: 298.0,
         },

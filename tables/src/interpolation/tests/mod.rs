@@ -208,6 +208,48 @@ fn at_other_radii_values_follow_the_strength_at_the_strain_rate_there() {
     assert!((end(&rated) / end(&plain) / expected - 1.0).abs() < 1e-12);
 }
 
+/// Where the contact forms at the strain rate of the slide, another radius is another strength in press and slide: at a power
+/// m of the interference a quantity of the unit σ_Yⁿ changes as the power n − 2m of the strength.
+#[test]
+fn at_other_radii_contacts_that_form_while_they_slide_are_similar() {
+    const C: f64 = 0.02;
+    let of_press = |distance: Option<f64>| {
+        let mut slice = slice_of(Log.range(0.5, 100.0, 8), Log.range(0.1, 10.0, 5));
+        let metadata = slice.metadata_mut();
+        (metadata.rate_coefficient, metadata.rate_reference) = (Some(C), Some(1.0));
+        metadata.press_slip_distance = distance;
+        slice.interpolated()
+    };
+    let [still, similar] = [None, Some(1.0)].map(of_press);
+    let middle = 50f64.sqrt() * still.metadata().critical_interference;
+    let contact = hertz::contact_radius(RADIUS, middle);
+    let strength = |strain_rate: f64| 1.0 + C * strain_rate.ln();
+    let factor = strength(100.0 / contact) / strength(1.0 / contact);
+    assert!(factor > 1.05, "{factor}");
+    let omega = 7.0;
+    for quantity in [Quantity::Load, Quantity::Area, Quantity::ContactRadius, Quantity::Friction] {
+        let at = |omega: f64, rate: f64| still.estimate(quantity, RADIUS, omega, rate).unwrap();
+        let found = similar.estimate(quantity, 0.1 * RADIUS, omega, 10.0).unwrap();
+        let table = at(omega / factor.powi(2), factor.powf(2.5));
+        let descriptor = quantity.descriptor();
+        let unit = factor.powi(descriptor.material_exponents.0) * 0.1f64.powi(descriptor.radius_exponent);
+        assert!(relative(found.value, unit * table.value) < 1e-12, "{quantity:?}");
+        let wider = found.error / found.value - table.error / table.value;
+        assert!((wider - 0.3 * factor.ln()).abs() < 1e-9, "{quantity:?} {wider}");
+        // At its own radius the table is as it was.
+        assert_eq!(similar.estimate(quantity, RADIUS, omega, 1.0).unwrap(), at(omega, 1.0));
+    }
+    let slip = 1e-6;
+    let here = similar.response(0.1 * RADIUS, omega, 10.0, 0.1 * factor * slip).unwrap();
+    let there = still.response(RADIUS, omega / factor.powi(2), factor.powf(2.5), slip).unwrap();
+    assert!(relative(here.friction.value, 0.01 * factor.powi(3) * there.friction.value) < 1e-12);
+    assert!(relative(here.temperature_max.value, there.temperature_max.value) < 1e-12);
+    let fixed = similar.at_slip_rate(0.1 * RADIUS, 10.0).unwrap()(omega, 0.1 * factor * slip).unwrap();
+    assert!(relative(fixed.load.value, here.load.value) < 1e-3);
+    assert!(similar.radius_uncertainty(0.1 * RADIUS) >= 0.3 * factor.ln() - 1e-9);
+    assert_eq!(similar.radius_uncertainty(RADIUS), 0.0);
+}
+
 #[test]
 fn fixed_slip_rate_gives_the_same_response() {
     let table = table();
