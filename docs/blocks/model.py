@@ -139,10 +139,11 @@ def rate_law():
     """Friction at 20 ω_c on a like body, without and with the rate law of the presets."""
     rows = []
     for metal in METALS:
-        law = '{ law = "johnson-cook" }'
+        rate = {"material__rate": '{ law = "johnson-cook" }'}
         row = [metal]
         results = []
-        for radius, settings in ((1e-3, {}), (1e-3, {"material__rate": law}), (1e-4, {"material__rate": law})):
+        press = {"loading__press_slip_distance": 1}
+        for radius, settings in ((1e-3, {}), (1e-3, rate), (1e-4, rate), (1e-4, rate | press)):
             run = asperity(
                 "run",
                 SINGLE,
@@ -161,7 +162,7 @@ def rate_law():
         rows.append(row)
     head = ["metal"]
     for name in (r"$\mu_s$", r"$\mu$"):
-        head += [f"{name}, no rate law", "with, $R$ = 1 mm", "0.1 mm"]
+        head += [f"{name}, no rate law", "with, $R$ = 1 mm", "0.1 mm", "0.1 mm, press with rate"]
     return table(head, rows)
 
 

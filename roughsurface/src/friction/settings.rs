@@ -35,7 +35,7 @@ pub enum PredictionError {
     #[error(transparent)]
     Separation(#[from] SeparationError),
     #[error(
-        "at {loading} and {} m/s {:.2} % of the load is on asperities whose contact radius is above {LARGEST_CONTACT} of their radius (from {} omega_c on), where the model of a hemisphere ends: the summits are too sharp for this load: use larger radii, those of a longer cut-off of the roughness, or a much lower load",
+        "at {loading} and {} m/s {:.2} % of the load is on asperities whose contact radius is above {LARGEST_CONTACT} of their radius (from {} omega_c on), where the model of a hemisphere ends: the summits are too sharp for this load: use larger radii, those of a longer cut-off of the roughness, or, unless the heights are exponential (the sizes of their contacts do not depend on the load), a much lower load",
         plain(*.slip_rate), 100.0 * .share, digits(*.limit, 4)
     )]
     ContactsTooLarge { loading: String, slip_rate: f64, limit: f64, share: f64 },

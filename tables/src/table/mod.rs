@@ -201,20 +201,10 @@ impl Table {
 
     /// Every warning once, with the initial temperature that it concerns unless these are all.
     pub fn warnings(&self) -> Vec<String> {
+        let temperature = |slice: &Slice| Some(slice.metadata().temperature);
         let of_slices: Vec<Vec<String>> = self.slices.iter().map(Slice::warnings).collect();
-        let mut warnings: Vec<String> = Vec::new();
-        for (slice, own) in self.slices.iter().zip(&of_slices) {
-            for warning in own {
-                let text = match of_slices.iter().all(|other| other.contains(warning)) {
-                    true => warning.clone(),
-                    false => format!("at {} K: {warning}", plain(slice.metadata().temperature)),
-                };
-                if !warnings.contains(&text) {
-                    warnings.push(text);
-                }
-            }
-        }
-        warnings
+        let by_slice = self.slices.iter().map(temperature).zip(of_slices.iter().map(Vec::as_slice));
+        sentences::by_temperature(&by_slice.collect::<Vec<_>>())
     }
 
     /// Grid points that have not been run, by their coordinates.

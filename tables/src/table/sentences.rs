@@ -1,5 +1,25 @@
 //! Sentences about many places in a few lines: those that differ in their numbers only become one, with the range of each
-//! number.
+//! number; and those about several initial temperatures.
+
+use crate::numbers::plain;
+
+/// Every sentence once, with the initial temperature (K) that it concerns unless these are all.
+pub fn by_temperature(of_temperatures: &[(Option<f64>, &[String])]) -> Vec<String> {
+    let mut sentences: Vec<String> = Vec::new();
+    for (temperature, own) in of_temperatures {
+        for sentence in *own {
+            let concerns_all = of_temperatures.iter().all(|(_, other)| other.contains(sentence));
+            let text = match temperature {
+                Some(temperature) if !concerns_all => format!("at {} K: {sentence}", plain(*temperature)),
+                _ => sentence.clone(),
+            };
+            if !sentences.contains(&text) {
+                sentences.push(text);
+            }
+        }
+    }
+    sentences
+}
 
 /// A sentence and the places that it is about.
 pub struct Sentence {

@@ -13,7 +13,7 @@ fn head(table: &FrictionTable, mark: &str, lines: &[&str]) -> String {
     );
     let _ = writeln!(text, "{mark} from {}", table.sources().join(", "));
     lines.iter().for_each(|line| text.push_str(&format!("{mark} {line}\n")));
-    table.warnings().for_each(|warning| add_warning(&mut text, mark, warning));
+    table.warnings().iter().for_each(|warning| add_warning(&mut text, mark, warning));
     text
 }
 
@@ -137,7 +137,7 @@ pub(super) fn json(table: &FrictionTable) -> String {
         "source": format!("roughsurface {}", env!("CARGO_PKG_VERSION")),
         "files": table.sources(),
         "variables": {"V": "slip rate, m/s", "pressure": "nominal, Pa", "temperature": "initial, K"},
-        "warnings": table.warnings().collect::<Vec<_>>(),
+        "warnings": table.warnings(),
         "fitted_between": [positive, table.slip_rates.last()],
         "laws": laws,
     });

@@ -9,6 +9,7 @@ use tables::law::Estimate;
 use tables::netcdf::{DatasetError, DatasetReader};
 use tables::numbers::Spacing;
 use tables::quantity::COVERAGE_FACTOR;
+use tables::table::sentences::by_temperature;
 
 /// A format, with the extension that decides on it.
 pub struct Format {
@@ -96,8 +97,9 @@ impl FrictionTable {
         self.layers.iter().map(|layer| layer.source.as_str()).collect()
     }
 
-    fn warnings(&self) -> impl Iterator<Item = &String> {
-        self.layers.iter().flat_map(|layer| &layer.warnings)
+    fn warnings(&self) -> Vec<String> {
+        let of_layers = self.layers.iter().map(|layer| (layer.temperature, &layer.warnings[..]));
+        by_temperature(&of_layers.collect::<Vec<_>>())
     }
 
     /// Pressures (Pa) whose fitted law is not reliable, with the reason.
