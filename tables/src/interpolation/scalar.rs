@@ -70,7 +70,7 @@ impl InterpolatedTable {
         let descriptor = quantity.descriptor();
         let limit = if descriptor.of_press { ElasticLimit::None } else { descriptor.elastic_limit };
         let of_rate = self.strength_change(interference, slip_rate * ratio, ratio).of(limit);
-        let relative = of_rate.error + similar.error();
+        let relative = of_rate.error + similar.error;
         let (value, error) = (of_rate.factor * value, of_rate.factor * (error + relative * value.abs()));
         let scale = similar.scale(quantity);
         Ok(Estimate { value: scale * (origin + value), error: scale * error })

@@ -46,14 +46,18 @@ pub(super) struct Similarity {
     ratio: f64,
     /// Λ(R)/Λ(R_t); 1 where the press is quasi-static.
     strength: f64,
+    /// Relative error that the change of the strength adds.
+    pub(super) error: f64,
 }
 
 impl Similarity {
-    /// p of the factor (Λ(R)/Λ(R_t))ᵖ of the slip rate at which the contact of the table is as hot: 2 at low and 3 at high Péclet
-    /// numbers, where the rise follows τVa and τ√(Va) with a contact radius in proportion to Λ.
-    const HEAT: f64 = 2.5;
+    /// p of the factor (Λ(R)/Λ(R_t))ᵖ of the slip rate at which the contact of the table is as hot: at low Péclet numbers the
+    /// rise follows τVa, with a contact radius in proportion to Λ.
+    const HEAT: f64 = 2.0;
     /// Relative error over ln(Λ(R)/Λ(R_t)).
     const ERROR: f64 = 0.3;
+    /// V/(aε̇₀) below which parts of the body flow at less than the reference rate, where Λ ends.
+    const SLOW: f64 = 3e3;
 
     /// ω/ω_c in the table.
     pub(super) fn interference(self, interference: f64) -> f64 {
@@ -74,11 +78,6 @@ impl Similarity {
     pub(super) fn scale(self, quantity: Quantity) -> f64 {
         let descriptor = quantity.descriptor();
         self.ratio.powi(descriptor.radius_exponent) * self.strength.powi(descriptor.material_exponents.0)
-    }
-
-    /// Relative error that the change of the strength adds.
-    pub(super) fn error(self) -> f64 {
-        Self::ERROR * self.strength.ln().abs()
     }
 }
 
@@ -132,17 +131,19 @@ impl InterpolatedTable {
     /// The contact of the table to which one at R = `ratio`·R_t and a slip rate (m/s) is similar. The ratio of the strengths hardly
     /// depends on the interference.
     pub(super) fn similarity(&self, slip_rate: f64, ratio: f64) -> Similarity {
-        let sphere = &self.interpolant.sphere;
-        let strength = match self.metadata().press_slip_distance {
-            Some(_) if ratio != 1.0 => {
-                let contact =
-                    sphere.contact_radius((self.interference_start() * self.interference_limit()).sqrt());
-                let here = sphere.rate_factor(slip_rate, contact * ratio);
-                here / sphere.rate_factor(slip_rate * ratio, contact)
-            }
-            _ => 1.0,
+        let metadata = self.metadata();
+        let law = metadata.press_slip_distance.and(metadata.rate_coefficient.zip(metadata.rate_reference));
+        let Some((coefficient, reference)) = law.filter(|_| ratio != 1.0) else {
+            return Similarity { ratio, strength: 1.0, error: 0.0 };
         };
-        Similarity { ratio, strength }
+        let sphere = &self.interpolant.sphere;
+        let contact = sphere.contact_radius((self.interference_start() * self.interference_limit()).sqrt());
+        let of_table = sphere.rate_factor(slip_rate * ratio, contact);
+        let strength = sphere.rate_factor(slip_rate, contact * ratio) / of_table;
+        let slower = slip_rate / contact * ratio.min(1.0 / ratio);
+        let below_reference = coefficient * (Similarity::SLOW * reference / slower).max(1.0).ln();
+        let error = Similarity::ERROR * strength.ln().abs() + below_reference;
+        Similarity { ratio, strength, error }
     }
 
     /// Change of the strength at R = `ratio`·R_t; `slip_rate` is that of the table at the same VR (m/s).
