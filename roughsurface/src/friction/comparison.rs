@@ -7,7 +7,8 @@ use crate::friction::settings::{PredictionError, Settings};
 use crate::friction::warning::Warning;
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::surface::query::{Query, Surface};
-use tables::closed_forms::{ElasticPlastic, closed_form};
+use tables::closed_forms::{ClosedForm, ElasticPlastic};
+use tables::law::AsperityLaw;
 use tables::numbers::digits;
 
 /// Friction of a model at each pressure or separation; none depends on the slip rate.
@@ -33,20 +34,6 @@ impl Comparison {
     }
 }
 
-/// A closed form in words.
-pub fn description(model: &str) -> &'static str {
-    match model {
-        "hertz" => "elastic (Greenwood & Williamson), constant shear strength",
-        "constant-shear" => "elastic-plastic, constant shear strength",
-        "chang-etsion-bogy" => "elastic-plastic, no friction after yield",
-        "kogut-etsion" => "elastic-plastic, no formula of friction above 6 omega_c",
-        "jackson-green" => "elastic-plastic with falling hardness, constant shear strength",
-        "brizmer" => "full stick, friction by load",
-        "cohen" => "full stick, friction by interference",
-        _ => "",
-    }
-}
-
 /// The condition under which a closed form was published, where `material` does not meet it.
 pub fn caveat(model: &str, material: &ElasticPlastic) -> Option<Warning> {
     let poisson_ratio = material.poisson_ratio;
@@ -68,13 +55,13 @@ pub fn compare(
     let query = Query { slip_rates: vec![1.0], ..query.clone() };
     let mut compared = Vec::new();
     for model in models {
-        let Ok(law) = closed_form(model, material) else {
+        let Ok(law) = ClosedForm::new(model, material) else {
             continue;
         };
-        let prediction = predict(law.as_ref(), surface, &query, settings, &|_, _| ())?;
+        let prediction = predict(&law, surface, &query, settings, &|_, _| ())?;
         let friction = prediction.friction.into_iter().flatten().collect();
-        let limit = law.interference_limit();
-        compared.push(Comparison { model: model.clone(), description: description(model), limit, friction });
+        let (description, limit) = (law.description(), law.interference_limit());
+        compared.push(Comparison { model: model.clone(), description, limit, friction });
     }
     Ok(compared)
 }
@@ -85,7 +72,7 @@ mod tests {
     use crate::integral::test_laws::{STEEL, query, surface};
     use crate::surface::heights::Exponential;
     use crate::surface::query::{ContactLife, NormalLoading};
-    use tables::closed_forms::NAMES;
+    use tables::closed_forms::{NAMES, closed_form};
 
     #[test]
     fn every_model_has_words_and_agrees_with_amontons() {

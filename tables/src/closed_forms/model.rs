@@ -8,55 +8,103 @@ use crate::law::{
     AboveRange, AsperityLaw, Estimate, LARGEST_CONTACT, LookupError, OptionalEstimate, Response,
 };
 
-/// Load and area against interference.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum NormalContact {
-    Hertz,
-    JacksonGreen,
-    ChangEtsionBogy,
-    KogutEtsion,
-    Brizmer,
+/// A model of the literature: functions of interference, load and area in the units of the authors.
+#[derive(Debug)]
+struct Model {
+    name: &'static str,
+    description: &'static str,
+    /// p₀/σ_Y of first yield without friction, of ν: a fit of the authors.
+    yield_coefficient: fn(f64) -> f64,
+    /// Interference and load of first yield of the authors over those without friction, of ν.
+    units: fn(f64) -> (f64, f64),
+    /// Of interference, ν and e_y.
+    load_and_area: fn(f64, f64, f64) -> (f64, f64),
+    /// Interferences at which pieces meet.
+    breaks: &'static [f64],
+    /// Largest Q/P, of interference and load; none where Q = τ₀A.
+    static_friction: Option<fn(f64, f64) -> f64>,
+    /// Interference at which the formulae end.
+    limit: f64,
+    above_range: AboveRange,
 }
 
-impl NormalContact {
-    /// Interference, in ω_c, and load, in P_c, by which the authors divide theirs: their first
-    /// yield is a fit, and that of Brizmer et al. is in full stick.
-    fn units(self, poisson_ratio: f64) -> (f64, f64) {
-        let (fit, interference, load) = match self {
-            Self::Hertz => return (1.0, 1.0),
-            Self::JacksonGreen => (jackson_green::yield_coefficient(poisson_ratio), 1.0, 1.0),
-            Self::ChangEtsionBogy | Self::KogutEtsion => {
-                (chang_etsion_bogy::yield_coefficient(poisson_ratio), 1.0, 1.0)
-            }
-            Self::Brizmer => (
-                brizmer::slip_yield_coefficient(poisson_ratio),
-                brizmer::critical_interference_ratio(poisson_ratio),
-                brizmer::critical_load_ratio(poisson_ratio),
-            ),
-        };
-        let ratio = fit / hertz::yield_coefficient(poisson_ratio);
-        (interference * ratio.powi(2), load * ratio.powi(3))
-    }
-}
+const HERTZ: Model = Model {
+    name: "hertz",
+    description: "elastic (Greenwood & Williamson), constant shear strength",
+    yield_coefficient: hertz::yield_coefficient,
+    units: |_| (1.0, 1.0),
+    load_and_area: |w, _, _| (w.powf(1.5), w),
+    breaks: &[],
+    static_friction: None,
+    limit: 1.0,
+    above_range: AboveRange::Formulae,
+};
+const CONSTANT_SHEAR: Model = Model {
+    name: "constant-shear",
+    description: "elastic-plastic, constant shear strength",
+    yield_coefficient: chang_etsion_bogy::yield_coefficient,
+    load_and_area: |w, nu, _| (kogut_etsion::load(w, nu), kogut_etsion::area(w)),
+    breaks: &kogut_etsion::BREAKS,
+    limit: f64::INFINITY,
+    ..HERTZ
+};
+const CHANG_ETSION_BOGY: Model = Model {
+    name: "chang-etsion-bogy",
+    description: "elastic-plastic, no friction after yield",
+    yield_coefficient: chang_etsion_bogy::yield_coefficient,
+    load_and_area: |w, _, _| (chang_etsion_bogy::load(w), chang_etsion_bogy::area(w)),
+    breaks: &chang_etsion_bogy::BREAKS,
+    static_friction: Some(|w, _| chang_etsion_bogy::static_friction(w)),
+    ..HERTZ
+};
+const KOGUT_ETSION: Model = Model {
+    name: "kogut-etsion",
+    description: "elastic-plastic, no formula of friction above 6 omega_c",
+    static_friction: Some(|w, _| kogut_etsion::static_friction(w)),
+    limit: kogut_etsion::FRICTION_LIMIT,
+    above_range: AboveRange::NoFriction,
+    ..CONSTANT_SHEAR
+};
+const JACKSON_GREEN: Model = Model {
+    name: "jackson-green",
+    description: "elastic-plastic with falling hardness, constant shear strength",
+    yield_coefficient: jackson_green::yield_coefficient,
+    load_and_area: |w, nu, strain| (jackson_green::load(w, strain, nu), jackson_green::area(w, strain)),
+    breaks: &[jackson_green::ELASTIC_LIMIT],
+    limit: f64::INFINITY,
+    ..HERTZ
+};
+const BRIZMER: Model = Model {
+    name: "brizmer",
+    description: "full stick, friction by load",
+    yield_coefficient: brizmer::slip_yield_coefficient,
+    units: |nu| (brizmer::critical_interference_ratio(nu), brizmer::critical_load_ratio(nu)),
+    load_and_area: |w, nu, _| (brizmer::load(w, nu), brizmer::area(w, nu)),
+    breaks: &[1.0],
+    static_friction: Some(|_, load| brizmer::static_friction(load)),
+    limit: brizmer::LARGEST_INTERFERENCE,
+    ..HERTZ
+};
+const COHEN: Model = Model {
+    name: "cohen",
+    description: "full stick, friction by interference",
+    static_friction: Some(|w, _| brizmer::static_friction_of_interference(w)),
+    ..BRIZMER
+};
 
-/// Largest friction force of a pressed asperity.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum SlidingInception {
-    /// Q = τ₀A.
-    ConstantShear,
-    /// Chang, Etsion & Bogy 1988.
-    ChangEtsionBogy,
-    /// Kogut & Etsion 2003.
-    KogutEtsion,
-    /// Brizmer, Kligerman & Etsion 2007.
-    Brizmer,
-    /// Cohen, Kligerman & Etsion 2008.
-    Cohen,
-}
+static MODELS: [Model; 7] =
+    [HERTZ, CONSTANT_SHEAR, CHANG_ETSION_BOGY, KOGUT_ETSION, JACKSON_GREEN, BRIZMER, COHEN];
 
 /// Names of the closed forms.
-pub const NAMES: [&str; 7] =
-    ["hertz", "constant-shear", "chang-etsion-bogy", "kogut-etsion", "jackson-green", "brizmer", "cohen"];
+pub const NAMES: [&str; 7] = [
+    HERTZ.name,
+    CONSTANT_SHEAR.name,
+    CHANG_ETSION_BOGY.name,
+    KOGUT_ETSION.name,
+    JACKSON_GREEN.name,
+    BRIZMER.name,
+    COHEN.name,
+];
 
 /// A name that is not in [`NAMES`].
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -81,12 +129,10 @@ struct Sliding {
 }
 
 /// A closed form of the literature as a law of one asperity; see [`closed_form`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct ClosedForm {
-    name: &'static str,
+    model: &'static Model,
     material: ElasticPlastic,
-    normal: NormalContact,
-    inception: SlidingInception,
     /// ω_c/R.
     critical_over_radius: f64,
     /// Interference, in ω_c, and load, in P_c, by which the authors divide theirs.
@@ -136,27 +182,24 @@ impl ClosedForm {
     /// The closed form of that name with the constants of `material`.
     pub fn new(name: &str, material: &ElasticPlastic) -> Result<Self, UnknownClosedForm> {
         let unknown = || UnknownClosedForm { name: name.to_string() };
-        let name = *NAMES.iter().find(|n| **n == name).ok_or_else(unknown)?;
-        let (normal, inception) = match name {
-            "hertz" => (NormalContact::Hertz, SlidingInception::ConstantShear),
-            "constant-shear" => (NormalContact::KogutEtsion, SlidingInception::ConstantShear),
-            "chang-etsion-bogy" => (NormalContact::ChangEtsionBogy, SlidingInception::ChangEtsionBogy),
-            "cohen" => (NormalContact::Brizmer, SlidingInception::Cohen),
-            "kogut-etsion" => (NormalContact::KogutEtsion, SlidingInception::KogutEtsion),
-            "jackson-green" => (NormalContact::JacksonGreen, SlidingInception::ConstantShear),
-            _ => (NormalContact::Brizmer, SlidingInception::Brizmer),
-        };
+        let model = MODELS.iter().find(|model| model.name == name).ok_or_else(unknown)?;
+        let nu = material.poisson_ratio;
+        let ratio = (model.yield_coefficient)(nu) / hertz::yield_coefficient(nu);
+        let (interference, load) = (model.units)(nu);
         let mut law = Self {
-            name,
+            model,
             material: *material,
-            normal,
-            inception,
             critical_over_radius: material.critical_interference(1.0),
-            units: normal.units(material.poisson_ratio),
+            units: (interference * ratio.powi(2), load * ratio.powi(3)),
             contact_limit: f64::INFINITY,
         };
         law.contact_limit = law.largest_interference();
         Ok(law)
+    }
+
+    /// The model in words.
+    pub fn description(&self) -> &'static str {
+        self.model.description
     }
 
     /// ω/ω_c at which A = π (0.4 R)².
@@ -173,18 +216,7 @@ impl ClosedForm {
     fn load_and_area(&self, interference: f64) -> (f64, f64) {
         let (nu, strain) = (self.material.poisson_ratio, self.material.yield_strain());
         let (unit, load_unit) = self.units;
-        let scaled = interference / unit;
-        let (load, area) = match self.normal {
-            NormalContact::Hertz => (scaled.powf(1.5), scaled),
-            NormalContact::JacksonGreen => {
-                (jackson_green::load(scaled, strain, nu), jackson_green::area(scaled, strain))
-            }
-            NormalContact::ChangEtsionBogy => {
-                (chang_etsion_bogy::load(scaled), chang_etsion_bogy::area(scaled))
-            }
-            NormalContact::KogutEtsion => (kogut_etsion::load(scaled, nu), kogut_etsion::area(scaled)),
-            NormalContact::Brizmer => (brizmer::load(scaled, nu), brizmer::area(scaled, nu)),
-        };
+        let (load, area) = (self.model.load_and_area)(interference / unit, nu, strain);
         (load * load_unit, area * unit)
     }
 
@@ -194,14 +226,10 @@ impl ClosedForm {
         let (load_ratio, area_ratio) = self.load_and_area(interference);
         let load = load_ratio * hertz::hertz_load(e_star, radius, omega);
         let area = area_ratio * hertz::contact_area(radius, omega);
-        let of_friction = |mu: f64| load * mu / area;
-        let scaled = interference / self.units.0;
-        let strength = match self.inception {
-            SlidingInception::ConstantShear => self.material.shear_strength(),
-            SlidingInception::KogutEtsion => of_friction(kogut_etsion::static_friction(scaled)),
-            SlidingInception::ChangEtsionBogy => of_friction(chang_etsion_bogy::static_friction(scaled)),
-            SlidingInception::Cohen => of_friction(brizmer::static_friction_of_interference(scaled)),
-            SlidingInception::Brizmer => of_friction(brizmer::static_friction(load_ratio / self.units.1)),
+        let (unit, load_unit) = self.units;
+        let strength = match self.model.static_friction {
+            Some(coefficient) => load * coefficient(interference / unit, load_ratio / load_unit) / area,
+            None => self.material.shear_strength(),
         };
         let gross_slip = constant_shear::gross_slip_displacement(
             strength,
@@ -214,7 +242,7 @@ impl ClosedForm {
 
 impl AsperityLaw for ClosedForm {
     fn name(&self) -> String {
-        self.name.to_string()
+        self.model.name.to_string()
     }
 
     fn critical_interference(&self, radius: f64) -> f64 {
@@ -226,14 +254,7 @@ impl AsperityLaw for ClosedForm {
     }
 
     fn interference_limit(&self) -> f64 {
-        let unit = self.units.0;
-        let published: f64 = match (self.normal, self.inception) {
-            (NormalContact::Hertz, _) | (_, SlidingInception::ChangEtsionBogy) => unit,
-            (_, SlidingInception::KogutEtsion) => kogut_etsion::FRICTION_LIMIT * unit,
-            (NormalContact::Brizmer, _) => brizmer::LARGEST_INTERFERENCE * unit,
-            _ => f64::INFINITY,
-        };
-        published.min(self.contact_limit)
+        (self.model.limit * self.units.0).min(self.contact_limit)
     }
 
     fn contact_limit(&self) -> f64 {
@@ -241,27 +262,18 @@ impl AsperityLaw for ClosedForm {
     }
 
     fn above_range(&self) -> AboveRange {
-        match self.inception {
-            SlidingInception::KogutEtsion => AboveRange::NoFriction,
-            _ => AboveRange::Formulae,
-        }
+        self.model.above_range
     }
 
     fn breaks(&self) -> Vec<f64> {
-        match self.normal {
-            NormalContact::Hertz => Vec::new(),
-            NormalContact::JacksonGreen => vec![jackson_green::ELASTIC_LIMIT * self.units.0],
-            NormalContact::ChangEtsionBogy => chang_etsion_bogy::BREAKS.map(|w| w * self.units.0).to_vec(),
-            NormalContact::KogutEtsion => kogut_etsion::BREAKS.map(|w| w * self.units.0).to_vec(),
-            NormalContact::Brizmer => vec![self.units.0],
-        }
+        self.model.breaks.iter().map(|interference| interference * self.units.0).collect()
     }
 
     /// Where the slip is that of gross slip: on one side the contact still sticks in part.
     fn breaks_after(&self, radius: f64, slip: f64) -> Vec<f64> {
         // Under a constant strength gross slip grows with the contact; where friction falls with
         // interference it need not.
-        let steps = if self.inception == SlidingInception::ConstantShear { 1 } else { SCANNED };
+        let steps = if self.model.static_friction.is_none() { 1 } else { SCANNED };
         let gross_slip = |interference: f64| self.sliding(radius, interference).gross_slip;
         where_equal(gross_slip, slip, &self.breaks(), steps)
     }
