@@ -221,15 +221,14 @@ impl AboveLastRow {
     pub(super) fn of_scalar(
         self,
         limit: ElasticLimit,
-        of_press: bool,
         rows: LastRows,
         load: LastRows,
         area: LastRows,
     ) -> Growth {
         match limit {
-            ElasticLimit::Load if of_press => self.relaxed(LOAD_PRESS, rows),
+            ElasticLimit::LoadPress => self.relaxed(LOAD_PRESS, rows),
             ElasticLimit::Load => self.relaxed(LOAD, rows),
-            ElasticLimit::Area => self.relaxed(AREA, rows),
+            ElasticLimit::Area | ElasticLimit::AreaPress => self.relaxed(AREA, rows),
             ElasticLimit::StaticFriction => self.relaxed(STATIC_FRICTION, rows),
             ElasticLimit::ContactRadius => self.of_contact_radius(rows),
             ElasticLimit::StaticCoefficient => self.relaxed(STATIC_COEFFICIENT, rows),

@@ -59,17 +59,16 @@ impl InterpolatedTable {
                     (before, of_row(quantity, origin, last))
                 };
                 let [load, area] = [Quantity::Load, Quantity::Area].map(|quantity| rows(quantity, 0.0));
-                let descriptor = quantity.descriptor();
-                let (limit, of_press) = (descriptor.elastic_limit, descriptor.of_press);
-                let growth = above.of_scalar(limit, of_press, rows(quantity, origin), load, area);
+                let limit = quantity.descriptor().elastic_limit;
+                let growth = above.of_scalar(limit, rows(quantity, origin), load, area);
                 let factor = growth.factor();
                 let relative = growth.relative() * value.abs();
                 (factor * value, factor * (above.error_factor() * error + relative))
             }
         };
         let descriptor = quantity.descriptor();
-        let limit = if descriptor.of_press { ElasticLimit::None } else { descriptor.elastic_limit };
-        let of_rate = self.strength_change(interference, slip_rate * ratio, ratio).of(limit);
+        let of_rate =
+            self.strength_change(interference, slip_rate * ratio, ratio).of(descriptor.elastic_limit);
         let relative = of_rate.error + similar.error;
         let (value, error) = (of_rate.factor * value, of_rate.factor * (error + relative * value.abs()));
         let scale = similar.scale(quantity);
@@ -235,12 +234,12 @@ impl FirstRow<'_> {
         let Self { sphere, below, .. } = *self;
         let (here, first) = (below.interference(), below.first_row);
         let pressed = |elastic: &dyn Fn(f64) -> f64| self.weighted(elastic, row, below.press_weight());
-        let (limit, of_press) = (quantity.descriptor().elastic_limit, quantity.descriptor().of_press);
+        let limit = quantity.descriptor().elastic_limit;
         match limit {
             ElasticLimit::TemperatureRise => row * below.thermal_weight(),
             ElasticLimit::FirstRow => row,
-            ElasticLimit::Load if of_press => pressed(&|at| sphere.load(at)),
-            ElasticLimit::Area if of_press => pressed(&|at| sphere.area(at)),
+            ElasticLimit::LoadPress => pressed(&|at| sphere.load(at)),
+            ElasticLimit::AreaPress => pressed(&|at| sphere.area(at)),
             ElasticLimit::Load => self.load_below().0,
             ElasticLimit::Area => self.area_below().0,
             ElasticLimit::ContactRadius => pressed(&|at| sphere.contact_radius(at)),
@@ -277,9 +276,9 @@ impl FirstRow<'_> {
         let limit = quantity.descriptor().elastic_limit;
         match limit {
             ElasticLimit::TemperatureRise => below.rise_uncertainty(),
-            _ if quantity.descriptor().of_press && below.press_weight() == 1.0 => 0.0,
+            _ if limit.is_of_press() && below.press_weight() == 1.0 => 0.0,
             // Without heat.
-            _ if quantity.descriptor().of_press => below
+            _ if limit.is_of_press() => below
                 .ratio_uncertainty(self.load / self.heat[0].first_row / sphere.load(first))
                 .max(below.ratio_uncertainty(self.area / self.heat[1].first_row / sphere.area(first))),
             ElasticLimit::SlidingFriction if self.has_friction() => {
@@ -299,14 +298,14 @@ impl FirstRow<'_> {
         }
     }
 
-    /// Slip at inception or G of the elastic sphere.
+    /// Slip at inception or G of the elastic sphere, in proportion to a power of the strength.
     fn elastic_inception(&self, limit: ElasticLimit, interference: f64) -> f64 {
-        let value = match limit {
-            ElasticLimit::InceptionSlip => self.sphere.inception_slip(interference),
-            _ => self.sphere.energy_release(interference),
+        let (value, exponent) = match limit {
+            ElasticLimit::InceptionSlip => (self.sphere.inception_slip(interference), 1.0),
+            _ => (self.sphere.energy_release(interference), 2.0),
         };
         let rate_factor = self.sphere.rate_factor_at(self.slip_rate, interference);
-        value.map_or(f64::NAN, |value| value * rate_factor.powf(limit.strength_exponent()))
+        value.map_or(f64::NAN, |value| value * rate_factor.powf(exponent))
     }
 
     fn weighted(&self, elastic: &dyn Fn(f64) -> f64, row: f64, weight: f64) -> f64 {

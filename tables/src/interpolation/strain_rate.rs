@@ -90,7 +90,8 @@ const INTERFERENCES: [f64; 2] = [0.7, 125.0];
 /// n of a light and a deep contact: mean and half-width of the 95 % interval. A result of the press has none.
 fn exponents(limit: ElasticLimit) -> Option<[(f64, f64); 2]> {
     Some(match limit {
-        ElasticLimit::None | ElasticLimit::ContactRadius | ElasticLimit::FirstRow => return None,
+        ElasticLimit::None | ElasticLimit::FirstRow => return None,
+        ElasticLimit::LoadPress | ElasticLimit::AreaPress | ElasticLimit::ContactRadius => return None,
         ElasticLimit::Load => [(0.1, 0.35), (0.55, 0.95)],
         ElasticLimit::Area => [(-0.1, 0.45), (-0.1, 0.45)],
         ElasticLimit::SlidingFriction => [(0.9, 0.45), (0.8, 0.45)],

@@ -56,12 +56,12 @@ quantities! {
     FrictionStatic: scalar("Q_static", "N", "friction force at sliding inception", FORCE, Limit::StaticFriction);
     /// P at the end of the slide.
     Load: scalar("P", "N", "normal force", FORCE, Limit::Load).history(Stored::RunAndTable, "last value");
-    LoadPress: scalar("P_press", "N", "normal force at the end of the press", FORCE, Limit::Load).history(Stored::Press, "last value").of_press();
+    LoadPress: scalar("P_press", "N", "normal force at the end of the press", FORCE, Limit::LoadPress).history(Stored::Press, "last value");
     /// A at the end of the slide.
     Area: scalar("area", "m2", "real contact area", AREA, Limit::Area).history(Stored::RunAndTable, "last value");
-    AreaPress: scalar("area_press", "m2", "real contact area at the end of the press", AREA, Limit::Area).history(Stored::Press, "last value").of_press();
+    AreaPress: scalar("area_press", "m2", "real contact area at the end of the press", AREA, Limit::AreaPress).history(Stored::Press, "last value");
     /// a₀.
-    ContactRadius: scalar("contact_radius", "m", "contact radius at the end of the press", LENGTH, Limit::ContactRadius).of_press();
+    ContactRadius: scalar("contact_radius", "m", "contact radius at the end of the press", LENGTH, Limit::ContactRadius);
     /// (W − ΔU)/A.
     EnergyRelease: scalar("G", "J m-2", "energy released from full stick to full slip: work of the flat less the change of the elastic energy up to sliding inception, per contact area at inception", ELASTIC_SLIP_ENERGY, Limit::EnergyRelease);
     /// ∫(τ̄ − τ̄_end) ds of τ̄ = Q/A.
@@ -117,7 +117,6 @@ const fn scalar(
         radius_exponent,
         material_exponents,
         elastic_limit,
-        of_press: false,
         scalar: true,
         moment: "",
         history: Stored::No,
@@ -139,10 +138,6 @@ const fn history(
 impl Descriptor {
     const fn history(self, history: Stored, moment: &'static str) -> Self {
         Self { history, moment, ..self }
-    }
-
-    const fn of_press(self) -> Self {
-        Self { of_press: true, ..self }
     }
 
     const fn optional(self) -> Self {

@@ -43,11 +43,15 @@ pub enum Stored {
 pub enum ElasticLimit {
     /// None: the quantity is no scalar of a table.
     None,
-    /// Hertz's load.
+    /// Hertz's load, while the sphere slides.
     Load,
-    /// πRω.
+    /// Hertz's load at the end of the press.
+    LoadPress,
+    /// πRω, while the sphere slides.
     Area,
-    /// √(Rω).
+    /// πRω at the end of the press.
+    AreaPress,
+    /// √(Rω) at the end of the press.
     ContactRadius,
     /// τ_c·A, with the softening by heat.
     SlidingFriction,
@@ -70,19 +74,9 @@ pub enum ElasticLimit {
 }
 
 impl ElasticLimit {
-    /// Power of the strength that the quantity of an elastic contact follows at most, at a given interference.
-    pub fn strength_exponent(self) -> f64 {
-        match self {
-            Self::None | Self::Area | Self::ContactRadius | Self::FirstRow => 0.0,
-            Self::Load
-            | Self::SlidingFriction
-            | Self::SlidingCoefficient
-            | Self::StaticFriction
-            | Self::StaticCoefficient
-            | Self::InceptionSlip
-            | Self::TemperatureRise => 1.0,
-            Self::EnergyRelease | Self::Weakening => 2.0,
-        }
+    /// Whether the quantity belongs to the press and does not depend on sliding.
+    pub fn is_of_press(self) -> bool {
+        matches!(self, Self::LoadPress | Self::AreaPress | Self::ContactRadius)
     }
 }
 
@@ -104,8 +98,6 @@ pub struct Descriptor {
     pub material_exponents: (i32, i32),
     /// How the scalar is extrapolated below the first interference of a table.
     pub elastic_limit: ElasticLimit,
-    /// Whether it belongs to the press and does not depend on sliding.
-    pub of_press: bool,
     /// Whether it is a scalar of a run and of a table.
     pub scalar: bool,
     /// What the scalar is of the history of the same name, where there is one.
