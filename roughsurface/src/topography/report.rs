@@ -5,7 +5,7 @@ use super::nayak::Nayak;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tables::figures::{Axis, Curve, Figure, Panel};
-use tables::netcdf::sealed;
+use tables::netcdf::with_checksum;
 
 /// Nominal pressures (Pa) and slip rates (m/s) of the query of a surface file.
 pub const PRESSURES: [f64; 3] = [1e5, 1e6, 1e7];
@@ -200,7 +200,7 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
     let plane = if heights.is_some() { "mean plane of the surface" } else { "mean plane of the summits" };
     // A control character could end the comment.
     let source: String = source.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    sealed(&format!(
+    with_checksum(&format!(
         "# Summits of {source}, written by roughsurface {}\n\
          # Cut-off {:.4e} m, reliability limit {:.4e} m; m0 = {:.4e} m2, m2 = {:.4e}, m4 = {:.4e} 1/m2,\n\
          # bandwidth {:.3}. Mean summit plane {mean:.4e} m above the mean plane of the surface.\n\
@@ -230,7 +230,7 @@ pub fn heights_file(found: &Characterization) -> String {
     for height in &found.found.heights {
         let _ = writeln!(text, "{height:.6e}");
     }
-    sealed(&text)
+    with_checksum(&text)
 }
 
 /// Names of the panels of [`figure`].

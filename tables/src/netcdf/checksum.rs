@@ -28,13 +28,13 @@ const HEAD: usize = END_OF_DATA + 8;
 const COMMENT: &str = "# sha256 of all before this line: ";
 
 /// A text of lines with the comment that tells whether it was changed.
-pub fn sealed(text: &str) -> String {
+pub fn with_checksum(text: &str) -> String {
     format!("{text}{COMMENT}{:x}\n", Sha256::digest(text))
 }
 
-/// Whether a text is as [`sealed`] wrote it.
+/// Whether a text is as [`with_checksum`] wrote it.
 pub fn is_unchanged(text: &str) -> bool {
-    text.rfind(COMMENT).is_some_and(|place| sealed(&text[..place]) == text)
+    text.rfind(COMMENT).is_some_and(|place| with_checksum(&text[..place]) == text)
 }
 
 /// Appends the line to the bytes of a complete file.
@@ -101,7 +101,7 @@ mod tests {
     use crate::netcdf::{DatasetReader, DatasetWriter};
 
     /// A small file as this crate writes it, and where its data end.
-    fn with_checksum(directory: &Path) -> (std::path::PathBuf, Vec<u8>, usize) {
+    fn file_with_checksum(directory: &Path) -> (std::path::PathBuf, Vec<u8>, usize) {
         let path = directory.join("checksum.nc");
         let mut file = DatasetWriter::create(&path, "checksum").unwrap();
         file.coordinate("x", &[0.0, 1.0, 2.0], &[]).unwrap();
@@ -122,7 +122,7 @@ mod tests {
     #[test]
     fn any_single_damage_is_found_before_the_library_sees_it() {
         let directory = tempfile::tempdir().unwrap();
-        let (path, bytes, end) = with_checksum(directory.path());
+        let (path, bytes, end) = file_with_checksum(directory.path());
         assert_eq!(stated_length(&bytes), Some(end as u64));
         assert_eq!(refused(&path, &bytes), None);
         for at in 0..bytes.len() {
@@ -139,7 +139,7 @@ mod tests {
     #[test]
     fn a_file_that_another_program_changed_is_read() {
         let directory = tempfile::tempdir().unwrap();
-        let (path, bytes, _) = with_checksum(directory.path());
+        let (path, bytes, _) = file_with_checksum(directory.path());
         ::netcdf::append(&path).unwrap().add_attribute("note", "added").unwrap();
         assert!(!std::fs::read(&path).unwrap().ends_with(&bytes[bytes.len() - LENGTH..]));
         assert_eq!(DatasetReader::open(&path).unwrap().attribute_text("note").unwrap(), "added");

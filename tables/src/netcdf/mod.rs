@@ -38,7 +38,7 @@ mod writer;
 pub use ::netcdf::AttributeValue;
 
 pub use atomic::{destination, in_words, write_atomically};
-pub use checksum::sealed;
+pub use checksum::with_checksum;
 pub use distinct::check_distinct;
 pub use outputs::{
     JOURNAL, JOURNAL_ROLE, check_irreplaceable, check_kind, check_of_others, check_outputs, check_results,

@@ -107,8 +107,8 @@ fn is_of_others(output: &Path, extensions: &[&str]) -> bool {
 /// Whether a surface file of `roughsurface characterize`, or its file of heights, is not as it was written.
 fn is_edited(output: &Path) -> bool {
     let start = beginning(output);
-    let is_sealed = [SURFACE, HEIGHTS].iter().any(|text| start.starts_with(text.as_bytes()));
-    is_sealed && !std::fs::read_to_string(output).is_ok_and(|text| is_unchanged(&text))
+    let has_checksum = [SURFACE, HEIGHTS].iter().any(|text| start.starts_with(text.as_bytes()));
+    has_checksum && !std::fs::read_to_string(output).is_ok_and(|text| is_unchanged(&text))
 }
 
 /// First words of the attribute `source` of the files of this project.
