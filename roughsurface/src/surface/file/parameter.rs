@@ -15,43 +15,25 @@ pub struct Parameter {
     pub(super) value: fn(&mut FileKeys) -> Option<&mut f64>,
 }
 
+/// A parameter by its key, which that of its standard deviation has too.
+macro_rules! parameter {
+    ($key:ident, $is_of_material:literal, $value:expr) => {
+        Parameter {
+            key: stringify!($key),
+            is_of_material: $is_of_material,
+            std: |keys| keys.$key,
+            value: $value,
+        }
+    };
+}
+
 static PARAMETERS: [Parameter; 6] = [
-    Parameter {
-        key: "asperity_density",
-        is_of_material: false,
-        std: |keys| keys.asperity_density,
-        value: |file| Some(&mut file.surface.asperity_density),
-    },
-    Parameter {
-        key: "asperity_radius",
-        is_of_material: false,
-        std: |keys| keys.asperity_radius,
-        value: |file| file.surface.asperity_radius.as_mut(),
-    },
-    Parameter {
-        key: "heights_std",
-        is_of_material: false,
-        std: |keys| keys.heights_std,
-        value: |file| file.surface.heights.std.as_mut(),
-    },
-    Parameter {
-        key: "youngs_modulus",
-        is_of_material: true,
-        std: |keys| keys.youngs_modulus,
-        value: |file| Some(&mut file.material.as_mut()?.youngs_modulus),
-    },
-    Parameter {
-        key: "poisson_ratio",
-        is_of_material: true,
-        std: |keys| keys.poisson_ratio,
-        value: |file| Some(&mut file.material.as_mut()?.poisson_ratio),
-    },
-    Parameter {
-        key: "yield_strength",
-        is_of_material: true,
-        std: |keys| keys.yield_strength,
-        value: |file| Some(&mut file.material.as_mut()?.yield_strength),
-    },
+    parameter!(asperity_density, false, |file| Some(&mut file.surface.asperity_density)),
+    parameter!(asperity_radius, false, |file| file.surface.asperity_radius.as_mut()),
+    parameter!(heights_std, false, |file| file.surface.heights.std.as_mut()),
+    parameter!(youngs_modulus, true, |file| Some(&mut file.material.as_mut()?.youngs_modulus)),
+    parameter!(poisson_ratio, true, |file| Some(&mut file.material.as_mut()?.poisson_ratio)),
+    parameter!(yield_strength, true, |file| Some(&mut file.material.as_mut()?.yield_strength)),
 ];
 
 /// A parameter with its standard deviation, in the unit of the parameter.

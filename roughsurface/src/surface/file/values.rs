@@ -1,7 +1,8 @@
 //! Numbers of the query: one, a list, or a range.
 
 use serde::Deserialize;
-use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor, value::MapAccessDeserializer};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use std::fmt;
 use tables::numbers::Spacing;
 
@@ -94,12 +95,8 @@ impl<'de> Visitor<'de> for ValuesVisitor {
         Ok(Values(vec![value as f64]))
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Values, A::Error> {
-        let mut values = Vec::new();
-        while let Some(value) = list.next_element()? {
-            values.push(value);
-        }
-        Ok(Values(values))
+    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Values, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(list)).map(Values)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, range: A) -> Result<Values, A::Error> {
