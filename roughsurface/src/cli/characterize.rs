@@ -57,7 +57,7 @@ pub fn run(options: &Characterize, display: &Display) -> Result<(), Failure> {
     ];
     let mut inputs = vec![("the topography", &*options.topography)];
     inputs.extend(options.measured.input());
-    check_outputs(&inputs, &outputs)?;
+    check_files(check_outputs, &inputs, &outputs)?;
     if let Some(plot) = &options.plot {
         Figure::check_extension(plot).map_err(Failure::input)?;
     }

@@ -8,7 +8,8 @@ use std::path::Path;
 use tables::law::LookupError;
 use tables::netcdf::program::{self, Printer};
 pub use tables::netcdf::program::{Failure, netcdf_name, save};
-use tables::netcdf::{self, write_atomically};
+use tables::netcdf::{self, OutputError, check_irreplaceable, write_atomically};
+pub use tables::netcdf::{check_kind, check_outputs, check_results};
 
 #[derive(Args)]
 pub struct RunOptions {
@@ -43,30 +44,14 @@ impl Display {
 /// Files that a command reads or writes, with their roles in messages.
 pub type Roles<'a> = [(&'a str, Option<&'a Path>)];
 
-/// Refuses outputs that cannot be written, and those that are an input or another output.
-pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
-    let outputs = given(outputs);
-    netcdf::check_outputs(inputs, &outputs)
-        .and_then(|()| netcdf::check_irreplaceable(&outputs))
-        .map_err(Failure::input)
-}
+/// [`check_outputs`](netcdf::check_outputs) or [`check_results`](netcdf::check_results).
+type Check = fn(&[(&str, &Path)], &[(&str, &Path)]) -> Result<(), OutputError>;
 
-/// Refuses outputs that cannot be written, and those that are an input or another output, where the inputs are results and
-/// no surface files.
-pub fn check_results(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
-    let outputs = given(outputs);
-    netcdf::check_results(inputs, &outputs)
-        .and_then(|()| netcdf::check_irreplaceable(&outputs))
-        .map_err(Failure::input)
-}
-
-/// Refuses an output that holds results of another command than that whose results have this title.
-pub fn check_kind(output: &Path, title: &str) -> Result<(), Failure> {
-    netcdf::check_kind(output, title).map_err(Failure::input)
-}
-
-fn given<'a>(outputs: &Roles<'a>) -> Vec<(&'a str, &'a Path)> {
-    outputs.iter().filter_map(|(role, path)| path.map(|path| (*role, path))).collect()
+/// Refuses outputs by a `check` of the files, and those that cannot be computed again.
+pub fn check_files(check: Check, inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
+    let given = outputs.iter().filter_map(|(role, path)| path.map(|path| (*role, path)));
+    let outputs: Vec<(&str, &Path)> = given.collect();
+    check(inputs, &outputs).and_then(|()| check_irreplaceable(&outputs)).map_err(Failure::input)
 }
 
 /// A query that the table does not cover is bad input; a separation that is not found is a failure of the run.
@@ -102,6 +87,7 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         .map_err(|error| Failure::run(format!("cannot write {}: {error}", path.display())))
 }
 
-pub fn command_line() -> String {
-    program::command_line("roughsurface")
+/// A line for the attribute `history`: time and command.
+pub fn history() -> String {
+    netcdf::history(&program::command_line("roughsurface"))
 }

@@ -38,7 +38,7 @@ pub fn run(options: &Export, display: &Display) -> Result<(), Failure> {
     let format = Format::of(&options.output).map_err(Failure::input)?;
     let inputs: Vec<&Path> = options.friction.iter().map(PathBuf::as_path).collect();
     let roles: Vec<(&str, &Path)> = inputs.iter().map(|path| ("the result", *path)).collect();
-    check_results(&roles, &[("--output", Some(&options.output))])?;
+    check_files(check_results, &roles, &[("--output", Some(&options.output))])?;
     let table = FrictionTable::read(&inputs).map_err(Failure::input)?;
     if options.law {
         let unreliable = table.limitations().map(|(pressure, limitation)| {

@@ -122,7 +122,7 @@ impl InputOptions {
         let table = self.table.as_deref().map(Path::new).filter(|table| table.exists());
         inputs.extend(self.topography.input());
         inputs.extend(table.map(|table| ("--table", table)));
-        check_results(&inputs, outputs)?;
+        check_files(check_results, &inputs, outputs)?;
         let measured = match topography {
             true => Some(self.topography.characterize(&self.surface, false)?),
             false => self.topography.refuse(&self.surface).map(|()| None)?,
@@ -136,7 +136,7 @@ impl InputOptions {
         };
         let file = file.map_err(Failure::input)?;
         let heights = file.heights_file.iter().map(|heights| ("the heights of the surface file", &**heights));
-        check_results(&heights.collect::<Vec<_>>(), outputs)?;
+        check_files(check_results, &heights.collect::<Vec<_>>(), outputs)?;
         let table = self.table.as_deref().or(self.material.as_deref()).unwrap_or_default();
         Case::open(file, measured, table, self.allow_missing).map_err(Failure::input)
     }

@@ -19,7 +19,6 @@ use std::path::PathBuf;
 use tables::closed_forms::NAMES;
 use tables::figures::Figure;
 use tables::law::AsperityLaw;
-use tables::netcdf::history;
 use tables::netcdf::input::number;
 use tables::netcdf::streams::say;
 use tables::numbers::plain;
@@ -127,7 +126,7 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
         query_key("rate_step", BTreeMap::from([("before", before), ("after", after)]))
     });
     let case = options.input.read(&outputs, rate_step.into_iter().collect())?;
-    check_kind(&options.output, friction_file::TITLE)?;
+    check_kind(&options.output, friction_file::TITLE).map_err(Failure::input)?;
     Figure::check_panels(&options.panel, &panels(&case, &models)).map_err(Failure::input)?;
     // At once: the prediction may be refused for what they are about.
     let of_input = case.warnings();
@@ -170,7 +169,7 @@ fn write(
     case: &Case,
     said: usize,
 ) -> Result<(), Failure> {
-    let origin = Origin { surface: &case.file.text, table: &case.table, history: &history(&command_line()) };
+    let origin = Origin { surface: &case.file.text, table: &case.table, history: &history() };
     let saved = save(&options.output, |path| friction_file::write(path, results, &origin));
     let drawn = options.plot.as_ref().map_or(Ok(()), |plot| {
         let figure = figure(results).only(&options.panel).map_err(Failure::run)?;

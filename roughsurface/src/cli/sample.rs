@@ -11,7 +11,6 @@ use roughsurface::output::{Origin, sample_file};
 use roughsurface::sampling::finite_surface::Sampling;
 use roughsurface::surface::units;
 use std::path::PathBuf;
-use tables::netcdf;
 
 pub const HELP: &str = "\
 Example:
@@ -48,7 +47,7 @@ pub struct Sample {
 /// Draws, slides, writes.
 pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
     let case = options.input.read(&[("--output", Some(&options.output))], Vec::new())?;
-    check_kind(&options.output, sample_file::TITLE)?;
+    check_kind(&options.output, sample_file::TITLE).map_err(Failure::input)?;
     let of_input = case.warnings();
     display.printer().warn(Warning::condensed(&of_input));
     display.printer().warn(case.unused_by_samples());
@@ -59,8 +58,7 @@ pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
     let samples =
         computed(&options.run, display, "surfaces", |show| case.sample(&sampling, &settings, show))?;
     let samples = samples.map_err(failure)?;
-    let history = netcdf::history(&command_line());
-    let origin = Origin { surface: &case.file.text, table: &case.table, history: &history };
+    let origin = Origin { surface: &case.file.text, table: &case.table, history: &history() };
     let saved = save(&options.output, |path| sample_file::write(path, &samples, &origin));
     display.printer().warn(Warning::condensed(&samples.warnings[of_input.len()..]));
     let printed = display.printer().print(|| sample_file::json(&samples), || sample_file::text(&samples));
