@@ -180,6 +180,22 @@ mod tests {
     use super::*;
     use std::path::Path;
 
+    /// Summits that the table of steel has results for.
+    const STEEL: (f64, f64, &str) = (1e8, 1e-3, "distribution = \"gaussian\", std = 4e-7");
+
+    /// A surface file by density (1/m²), radius (m) and heights of its summits, the keys of its query and other sections.
+    fn parse(
+        (density, radius, heights): (f64, f64, &str),
+        query: &str,
+        sections: &str,
+    ) -> Result<SurfaceFile, SurfaceFileError> {
+        let text = format!(
+            "surface = {{ asperity_density = {density:e}, asperity_radius = {radius:e}, heights = {{ {heights} }} }}\n\
+             query = {{ {query} }}\n{sections}\n"
+        );
+        SurfaceFile::parse(Path::new("surface.toml"), text)
+    }
+
     /// With cells without results interpolated around.
     fn base(table: &str, file: &SurfaceFile, settings: &Settings) -> Prediction {
         let law = LawSource::open(table, file.material.as_ref(), None, true).unwrap().law;
@@ -206,26 +222,15 @@ mod tests {
     fn elastic_asperities_with_exponential_heights_in_closed_form() {
         // μ = τ₀ √(πR/σ)/E*, so du/u = dY/Y − dE/E − dσ/(2σ) + dR/(2R), and no density in it;
         // p = √π η E* √R σ^{3/2} e^{−d/σ} gives dd/σ = dη/η.
-        let text = "
-[surface]
-asperity_density = 1e10
-asperity_radius = 100e-6
-heights = { distribution = \"exponential\", std = 1e-9 }
-[query]
-pressure = [1e3]
-slip_rate = [1.0]
-[material]
-youngs_modulus = 200e9
-poisson_ratio = 0.3
-yield_strength = 400e6
+        let sections = "material = { youngs_modulus = 200e9, poisson_ratio = 0.3, yield_strength = 400e6 }
 [uncertainty]
 asperity_density = 1e8
 asperity_radius = 1e-6
 heights_std = 0.02e-9
 youngs_modulus = 1e9
-yield_strength = 4e6
-";
-        let file = SurfaceFile::parse(Path::new("surface.toml"), text.into()).unwrap();
+yield_strength = 4e6";
+        let summits = (1e10, 1e-4, "distribution = \"exponential\", std = 1e-9");
+        let file = parse(summits, "pressure = [1e3], slip_rate = [1.0]", sections).unwrap();
         let settings = Settings { tolerance: 1e-9, ..Settings::default() };
         let base = base("model:hertz", &file, &settings);
         let mu = base.friction[0][0].sliding.mu.value;
@@ -251,21 +256,8 @@ yield_strength = 4e6
         let path = folder.path().join("gap.nc");
         table.write(&path).unwrap();
         let path = path.to_str().unwrap();
-        let text = format!(
-            "
-[surface]
-asperity_density = 1e8
-asperity_radius = 1e-3
-heights = {{ distribution = \"gaussian\", std = 0.4e-6 }}
-[query]
-pressure = [1e6]
-slip_rate = [{}]
-[uncertainty]
-asperity_density = 1e7
-",
-            table.axes().slip_rate[j]
-        );
-        let file = SurfaceFile::parse(Path::new("surface.toml"), text).unwrap();
+        let query = format!("pressure = [1e6], slip_rate = [{:?}]", table.axes().slip_rate[j]);
+        let file = parse(STEEL, &query, "uncertainty = { asperity_density = 1e7 }").unwrap();
         let settings = Settings { slip_points: 8, ..Settings::default() };
         let base = base(path, &file, &settings);
         let found = |missing| propagate(&file, (path, missing), &base, &settings, &|_, _| ());
@@ -277,11 +269,8 @@ asperity_density = 1e7
     #[test]
     fn a_radius_at_the_end_of_the_slip_rates_is_varied_in_one_direction() {
         let change = |slip_rate: f64| {
-            let text = format!(
-                "surface = {{ asperity_density = 1e8, asperity_radius = 1e-3, heights = {{ distribution = \"gaussian\", std = 4e-7 }} }}\n\
-                 query = {{ pressure = [1e6], slip_rate = [{slip_rate:?}] }}\nuncertainty = {{ asperity_radius = 2e-5 }}\n"
-            );
-            let file = SurfaceFile::parse(Path::new("surface.toml"), text).unwrap();
+            let query = format!("pressure = [1e6], slip_rate = [{slip_rate:?}]");
+            let file = parse(STEEL, &query, "uncertainty = { asperity_radius = 2e-5 }").unwrap();
             let settings = Settings::default();
             let base = base("steel-4340", &file, &settings);
             let found = propagate(&file, ("steel-4340", false), &base, &settings, &|_, _| ()).unwrap();
@@ -295,12 +284,12 @@ asperity_density = 1e7
 
     #[test]
     fn impossible_uncertainties_are_named() {
-        let text = "
-surface = { asperity_density = 1e10, asperity_radius = 1e-4, heights = { distribution = \"gaussian\", std = 1e-6 } }
-query = { pressure = [1e5], slip_rate = [1.0] }
-uncertainty = { KEY }
-";
-        let parse = |key: &str| SurfaceFile::parse(Path::new("s.toml"), text.replace("KEY", key));
+        let with = |key: &str, sections: &str| {
+            let summits = (1e10, 1e-4, "distribution = \"gaussian\", std = 1e-6");
+            let sections = format!("uncertainty = {{ {key} }}\n{sections}");
+            self::parse(summits, "pressure = [1e5], slip_rate = [1.0]", &sections)
+        };
+        let parse = |key: &str| with(key, "");
         for (key, expected) in [
             (
                 "heights_std = 0.4e-6",
@@ -315,9 +304,8 @@ uncertainty = { KEY }
             let message = parse(key).unwrap_err().to_string();
             assert!(message.contains(expected) && message.lines().count() == 1, "{message}");
         }
-        let material = text.replace("KEY", "youngs_modulus = 1e9")
-            + "material = { youngs_modulus = 200e9, poisson_ratio = 0.3, yield_strength = 1e9 }\n";
-        let file = SurfaceFile::parse(Path::new("s.toml"), material).unwrap();
+        let hard = "material = { youngs_modulus = 200e9, poisson_ratio = 0.3, yield_strength = 1e9 }";
+        let file = with("youngs_modulus = 1e9", hard).unwrap();
         let settings = Settings::default();
         let base = base("model:hertz", &file, &settings);
         let error = propagate(&file, ("table.nc", false), &base, &settings, &|_, _| ()).unwrap_err();
@@ -333,9 +321,8 @@ uncertainty = { KEY }
             let varied = file.varied(heights_std, change).unwrap().surface.heights.standard_deviation();
             assert!((varied / (1e-6 + change) - 1.0).abs() < 1e-12, "{varied:e}");
         }
-        let soft = text.replace("KEY", "poisson_ratio = 0.1")
-            + "material = { youngs_modulus = 2e6, poisson_ratio = 0.45, yield_strength = 1e6 }\n";
-        let file = SurfaceFile::parse(Path::new("s.toml"), soft).unwrap();
+        let soft = "material = { youngs_modulus = 2e6, poisson_ratio = 0.45, yield_strength = 1e6 }";
+        let file = with("poisson_ratio = 0.1", soft).unwrap();
         let error = file.varied(file.uncertain[0].parameter, 0.1).unwrap_err().to_string();
         let expected =
             "uncertainty.poisson_ratio: with one standard deviation of 1e-1, material.poisson_ratio = 0.55";

@@ -1,21 +1,16 @@
 //! Exported friction, read again.
 
 use crate::demonstration::{Weakening, table};
-use crate::folder::folder_with_table;
+use crate::folder::{MATERIAL, folder_with_table, surface};
 use tests::folder::Folder;
 
-const SURFACE: &str = r#"
-[surface]
-asperity_density = 1e10
-asperity_radius = 100e-6
-heights = { distribution = "gaussian", std = 0.05e-6 }
-[query]
-pressure = [1e5, 1e6, 1e7]
-slip_rate = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0]
-"#;
+fn steel_surface() -> String {
+    let query = "pressure = [1e5, 1e6, 1e7]\nslip_rate = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0]";
+    surface(1e10, 1e-4, 5e-8, query)
+}
 
 fn folder() -> Folder {
-    let folder = folder_with_table(SURFACE);
+    let folder = folder_with_table(&steel_surface());
     folder.done("predict surface.toml --table table.nc -o friction.nc --quiet");
     folder
 }
@@ -36,7 +31,7 @@ fn numbers(text: &str, marks: [char; 2]) -> Vec<Vec<f64>> {
 /// At a pressure that is far outside the table.
 #[test]
 fn warnings_of_the_prediction_are_exported() {
-    let folder = folder_with_table(SURFACE);
+    let folder = folder_with_table(&steel_surface());
     folder
         .run("predict surface.toml --table table.nc -o high.nc --pressure 1e8,6e8 --slip-rate 0.1,1 --quiet");
     let warnings = folder.dataset("high.nc").optional_text("warnings").unwrap().unwrap();
@@ -147,7 +142,10 @@ fn several_files_are_a_dependence_on_temperature() {
         let mut slice = table(&law);
         slice.metadata_mut().temperature = kelvin;
         slice.write(&folder.path("at.nc")).unwrap();
-        folder.write("at.toml", SURFACE.replace("[query]", &format!("[query]\ntemperature = {kelvin:?}")));
+        folder.write(
+            "at.toml",
+            steel_surface().replace("[query]", &format!("[query]\ntemperature = {kelvin:?}")),
+        );
         folder.done(&format!("predict at.toml --table at.nc -o {kelvin}.nc --quiet"));
     }
     for name in ["both.inp", "both.txt"] {
@@ -163,8 +161,7 @@ fn several_files_are_a_dependence_on_temperature() {
         assert!(comsol[3 + cell / 7][cell % 7] == cold[0] && comsol[6 + cell / 7][cell % 7] == hot[0]);
     }
     // A closed form has none.
-    let steel = "[material]\nyoungs_modulus = 200e9\npoisson_ratio = 0.3\nyield_strength = 1e9\n";
-    folder.write("closed.toml", format!("{SURFACE}{steel}"));
+    folder.write("closed.toml", steel_surface() + MATERIAL);
     folder.done("predict closed.toml --table model:jackson-green -o closed.nc --quiet");
     folder.refused("export closed.nc closed.nc -o f.inp", &["must have an initial temperature each"]);
     folder.refused("export 298.nc 298.nc -o f.inp", &["298 K, as another one"]);

@@ -1,7 +1,7 @@
 //! The program from surface file and table to friction.nc: results, exit status, messages.
 
 use crate::demonstration::{Weakening, table};
-use crate::folder::{folder_with, folder_with_table};
+use crate::folder::{MATERIAL, folder_with, folder_with_table, surface};
 use std::path::Path;
 
 use roughsurface::friction::{Settings, predict};
@@ -12,23 +12,14 @@ use tables::table::Table;
 #[cfg(target_os = "linux")]
 use tests::programs::Ended;
 
-const SURFACE: &str = r#"
-[surface]
-asperity_density = 1e10
-asperity_radius = 100e-6
-heights = { distribution = "gaussian", std = 0.05e-6 }
-[query]
-pressure = [1e5, 1e6, 1e7]
-slip_rate = [0.1, 0.3, 1.0, 3.0, 10.0]
-[material]
-youngs_modulus = 200e9
-poisson_ratio = 0.3
-yield_strength = 400e6
-"#;
+fn steel_surface() -> String {
+    let query = "pressure = [1e5, 1e6, 1e7]\nslip_rate = [0.1, 0.3, 1.0, 3.0, 10.0]";
+    surface(1e10, 1e-4, 5e-8, query) + MATERIAL
+}
 
 #[test]
 fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
-    let folder = folder_with_table(SURFACE);
+    let folder = folder_with_table(&steel_surface());
     let law = Weakening::new();
     let output = folder.done("predict surface.toml --table table.nc -o friction.nc --plot f.svg");
     let summary = output.stdout;
@@ -54,13 +45,13 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
         assert!((energy[i] / cell.weakening_energy.value - 1.0).abs() < 0.02, "G {}", energy[i]);
         assert!(mu_static[i] > mu[i] && energy[i] > 0.0);
     }
-    assert_eq!(file.attribute_text("surface").unwrap(), SURFACE);
+    assert_eq!(file.attribute_text("surface").unwrap(), steel_surface());
     assert_eq!(file.attribute_text("table").unwrap(), "table.nc");
 }
 
 #[test]
 fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
-    let folder = folder_with(SURFACE);
+    let folder = folder_with(&steel_surface());
     let cold = table(&Weakening::new());
     let mut hot = table(&Weakening { strength: 1.1, ..Weakening::new() });
     hot.metadata_mut().temperature = 500.0;
@@ -69,7 +60,7 @@ fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
     folder.refused("predict surface.toml --table both.nc -o friction.nc", &["from 298 to 500 K"]);
 
     let at = |temperature: f64| {
-        let text = SURFACE.replace("[query]", &format!("[query]\ntemperature = {temperature:?}"));
+        let text = steel_surface().replace("[query]", &format!("[query]\ntemperature = {temperature:?}"));
         folder.write("at.toml", text);
     };
     let friction = |arguments: &str| {
@@ -94,7 +85,7 @@ fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
 
 #[test]
 fn threads_change_nothing_and_random_surfaces_repeat() {
-    let folder = folder_with(SURFACE);
+    let folder = folder_with(&steel_surface());
     for (command, name) in [
         ("predict surface.toml --table model:brizmer", "friction.nc"),
         ("sample surface.toml --table model:brizmer --asperities 200 --realizations 20 --seed 3", "mc.nc"),
@@ -112,15 +103,16 @@ fn threads_change_nothing_and_random_surfaces_repeat() {
 
 #[test]
 fn bad_input_ends_with_status_two_and_one_line() {
-    let folder = folder_with(SURFACE);
-    folder.write("typo.toml", SURFACE.replace("pressure", "presure"));
-    folder.write("rigid.toml", format!("{SURFACE}[counterface]\n"));
+    let folder = folder_with(&steel_surface());
+    folder.write("typo.toml", steel_surface().replace("pressure", "presure"));
+    folder.write("rigid.toml", steel_surface() + "[counterface]\n");
     folder.write("table.nc.part", "a journal");
     // 0 to 10 m/s at 1 mm, with rate law 0.01 to 10 m/s at 0.1 mm: at R the limits are in proportion to 1/R.
     let radii = |radii: &str| {
         let classes =
             format!("radii = {{ distribution = \"classes\", radius = {radii}, share = [1, 1] }}\nheights");
-        let lines = SURFACE.lines().filter(|line| !line.starts_with("asperity_radius"));
+        let surface = steel_surface();
+        let lines = surface.lines().filter(|line| !line.starts_with("asperity_radius"));
         lines.collect::<Vec<_>>().join("\n").replacen("heights", &classes, 1)
     };
     folder.write("two.toml", radii("[0.5e-3, 2e-3]"));
@@ -164,9 +156,9 @@ fn bad_input_ends_with_status_two_and_one_line() {
 
 #[test]
 fn everything_asked_for_is_in_the_files() {
-    let folder = folder_with_table(&format!(
-        "{SURFACE}[uncertainty]\nheights_std = 0.005e-6\nasperity_radius = 10e-6\n"
-    ));
+    let folder = folder_with_table(
+        &(steel_surface() + "[uncertainty]\nheights_std = 0.005e-6\nasperity_radius = 10e-6\n"),
+    );
     let output = folder.done(
         "predict surface.toml --table table.nc -o f.nc --compare kogut-etsion,jackson-green --report f.html --json",
     );
@@ -208,7 +200,7 @@ fn everything_asked_for_is_in_the_files() {
 #[test]
 fn another_table_stands_for_a_constant_of_the_material() {
     let folder =
-        folder_with_table(&format!("{SURFACE}[uncertainty]\ntables = {{ strength = \"stronger.nc\" }}\n"));
+        folder_with_table(&(steel_surface() + "[uncertainty]\ntables = { strength = \"stronger.nc\" }\n"));
     // A tenth more of every shear stress: friction and its energies grow by as much.
     let stronger = table(&Weakening { strength: 1.1, ..Weakening::new() });
     stronger.write(&folder.path("stronger.nc")).unwrap();
@@ -229,7 +221,8 @@ fn another_table_stands_for_a_constant_of_the_material() {
 /// The shipped tables state their constants.
 #[test]
 fn another_table_differs_in_one_constant() {
-    let folder = folder_with(&SURFACE.replace("[query]", "[query]\nrate_step = { before = 0.1, after = 1 }"));
+    let folder =
+        folder_with(&steel_surface().replace("[query]", "[query]\nrate_step = { before = 0.1, after = 1 }"));
     let line = "predict surface.toml --table copper -o f.nc --set uncertainty.tables={other=\"NAME\"}";
     folder.refused(
         &format!("{} -q", line.replace("NAME", "copper")),
@@ -254,7 +247,7 @@ fn names_may_be_anything_and_links_are_followed() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
 
-    let folder = folder_with(SURFACE);
+    let folder = folder_with(&steel_surface());
     let odd = folder.path(OsStr::from_bytes(b"a folder \xff"));
     std::fs::create_dir_all(&odd).unwrap();
     let [surface, output] =
@@ -279,7 +272,7 @@ fn names_may_be_anything_and_links_are_followed() {
 /// Of the panels that the option names, those that this figure will not have are refused at once.
 #[test]
 fn a_panel_is_refused_before_the_computation_or_drawn() {
-    let folder = folder_with_table(SURFACE);
+    let folder = folder_with_table(&steel_surface());
     let predict = "predict surface.toml -o friction.nc --plot f.svg";
     let panels = "rate, friction, static, slide, area, separation, load, regimes";
     for (arguments, found) in [
