@@ -8,7 +8,7 @@
 
 use asperity::scene::file::parse_scene;
 use asperity::simulate::{Unwatched, press, slide};
-use tables::closed_forms::{ElasticPlastic, closed_form};
+use tables::closed_forms::closed_form;
 use tables::numbers::with_error;
 use tables::quantity::Quantity;
 
@@ -37,11 +37,7 @@ fn main() -> anyhow::Result<()> {
     let scalars = &outcome.scalars;
 
     // 3. The press and two closed forms at the same interference.
-    let material = ElasticPlastic {
-        youngs_modulus: scene.material.youngs_modulus,
-        poisson_ratio: scene.material.poisson_ratio,
-        yield_strength: scene.material.yield_strength,
-    };
+    let material = scene.material.elastic_plastic();
     println!(
         "pressed to {} omega_c (omega_c = {:.3e} m)",
         scene.loading.interference, outcome.critical_interference

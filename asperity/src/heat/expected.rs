@@ -62,7 +62,7 @@ impl HeatEffect {
             0.0 => interface.taylor_quinney,
             partition => partition,
         };
-        let rise = share * strength * slip_rate * contact_radius / material.thermal_conductivity;
+        let rise = share * strength * slip_rate * contact_radius / material.thermal_conductivity.value;
         let critical = material.elastic_plastic().critical_interference(1.0);
         let interference = scene.loading.interference * critical * scene.radius;
         let asperity = (1.0 + material.poisson_ratio) * solid.mean_expansion(0.0, rise);
@@ -75,12 +75,12 @@ impl HeatEffect {
         let metal = |rise: f64| (1.0 - solid.softening_factor(rise)).abs();
         // A plane under the flux q warms by 2q√(κt/π)/k, here in the time of the elastic displacement τ₀a(2 − ν)/(2G) at
         // gross slip, with 2 − ν taken as 2.
-        let shear_modulus = 0.5 * material.youngs_modulus / (1.0 + material.poisson_ratio);
+        let shear_modulus = 0.5 * material.youngs_modulus.value / (1.0 + material.poisson_ratio);
         let inception_depth =
             (material.diffusivity() * strength / (shear_modulus * slip_rate * contact_radius)).sqrt();
         let flux = scene.largest_heat_partition() * strength * slip_rate;
         let at_inception = flux * inception_depth * contact_radius * 2.0
-            / (std::f64::consts::PI.sqrt() * material.thermal_conductivity);
+            / (std::f64::consts::PI.sqrt() * material.thermal_conductivity.value);
         let (partition, partition_error) = expected_partition(scene, slip_rate, contact_radius);
         let limited = if interface.law.heating_ends_at_melting() { 1.0 } else { 0.0 };
         Self {
@@ -125,13 +125,13 @@ fn expected_partition(scene: &Scene, slip_rate: f64, contact_radius: f64) -> (f6
 /// yield strain melts it, βσ_Y²/(Eρc) ≥ T_m − T₀. Of metals the first is about 1e-3, the second about 1e-4 (T_m − T₀).
 pub fn runaway(scene: &Scene) -> Option<f64> {
     let material = &scene.material;
-    let capacity = material.density * material.specific_heat;
+    let capacity = material.density * material.specific_heat.value;
     let heating = scene.interface.taylor_quinney * material.yield_strength / capacity;
-    let yield_strain = material.yield_strength / material.youngs_modulus;
+    let yield_strain = material.yield_strength / material.youngs_modulus.value;
     let initial = scene.loading.temperature;
     let melts =
         material.softening.melting().is_some_and(|melting| heating * yield_strain >= melting - initial);
-    (melts || material.thermal_expansion.abs() * heating >= 1.0).then_some(heating)
+    (melts || material.thermal_expansion.value.abs() * heating >= 1.0).then_some(heating)
 }
 
 /// Heat is coupled unless there is none or its effect is negligible.
@@ -166,7 +166,7 @@ mod tests {
         let effect = HeatEffect::expected(&scene, 0.01, 40e-6);
         assert!((effect.softening - (effect.rise / range).sqrt()).abs() < 1e-3, "{effect:?}");
         let number = 0.5 * SHEAR_RATIO * scene.material.yield_strength * 0.01 * 40e-6
-            / (scene.material.thermal_conductivity * range);
+            / (scene.material.thermal_conductivity.value * range);
         assert!((effect.rise / range / number - 1.0).abs() < 1e-12);
     }
 
@@ -175,7 +175,7 @@ mod tests {
     fn a_film_heats_by_its_own_strength() {
         let rise = |sets: &[&str]| {
             let scene = of_preset("steel-4340", &[&["loading.interference=1000"], sets].concat());
-            let heated = 0.5 * 0.01 * 40e-6 / scene.material.thermal_conductivity;
+            let heated = 0.5 * 0.01 * 40e-6 / scene.material.thermal_conductivity.value;
             HeatEffect::expected(&scene, 0.01, 40e-6).rise / heated
         };
         let film = rise(&[
@@ -219,9 +219,10 @@ mod tests {
     fn softening_before_sliding_is_that_worked_by_hand() {
         let mut scene = of_preset("steel-4340", &["loading.slip_rate=10"]);
         let material = &mut scene.material;
-        (material.youngs_modulus, material.poisson_ratio) = (200e9, 0.25);
+        (material.youngs_modulus.value, material.poisson_ratio) = (200e9, 0.25);
         material.yield_strength = 400e6 * 3f64.sqrt();
-        (material.thermal_conductivity, material.density, material.specific_heat) = (40.0, 8000.0, 500.0);
+        (material.thermal_conductivity, material.specific_heat) = (40.0.into(), 500.0.into());
+        material.density = 8000.0;
         let initial = scene.loading.temperature;
         scene.material.softening = crate::scene::Softening::JohnsonCook {
             reference: initial,

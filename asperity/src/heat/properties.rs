@@ -1,8 +1,8 @@
 //! Specific heat and conductivity over the temperature rise, in the terms in which conduction is linear: enthalpy and Kirchhoff's
 //! potential. Chapter "Conduction" of the book.
 
+use crate::scene::Property;
 use crate::scene::curve::Curve;
-use crate::scene::{TemperatureDependence, TemperatureTable};
 
 /// Properties over the temperature rise, relative to those at the initial temperature; positive.
 #[derive(Clone, Debug)]
@@ -38,14 +38,11 @@ impl ThermalProperties {
     }
 
     /// Properties of a body at an initial temperature, K; none where both are constant.
-    pub fn of(dependence: &TemperatureDependence, initial_temperature: f64) -> Option<Self> {
-        let TemperatureDependence { specific_heat, thermal_conductivity, .. } = dependence;
-        let relative = |table: &Option<TemperatureTable>| match table {
-            Some(table) => table.relative(initial_temperature),
-            None => Curve::constant(1.0),
-        };
-        (specific_heat.is_some() || thermal_conductivity.is_some())
-            .then(|| Self::new(&relative(specific_heat), &relative(thermal_conductivity)))
+    pub fn of(specific_heat: &Property, conductivity: &Property, initial_temperature: f64) -> Option<Self> {
+        let tables = [specific_heat, conductivity].map(|property| property.table.as_ref());
+        let [specific_heat, conductivity] = tables
+            .map(|table| table.map_or(Curve::constant(1.0), |table| table.relative(initial_temperature)));
+        tables.iter().any(Option::is_some).then(|| Self::new(&specific_heat, &conductivity))
     }
 
     /// c/c₀.

@@ -15,7 +15,7 @@ use crate::heat::counterface::HalfSpace;
 use crate::heat::properties::ThermalProperties;
 use crate::interface::contact::Contact;
 use crate::material::Solid;
-use crate::scene::{Control, Interface, Kinematics, Material, Scene};
+use crate::scene::{Control, Interface, Kinematics, Material, Property, Scene};
 use crate::solver::StopRequest;
 use crate::solver::harmonic::{FactorError, HarmonicFactors};
 use crate::solver::newton::Mechanics;
@@ -121,14 +121,14 @@ impl Problem {
         let wave_speed = wave_speed(&scene.material);
         let press_friction = PressFriction::of(scene);
         let [both, rigid] = scene.dundurs_beta().map(|beta| beta * beta);
-        let own_modulus = scene.material.youngs_modulus;
+        let own_modulus = scene.material.youngs_modulus.value;
         let expansion = scene.expansion_of_counterface();
         let scene = &scene.with_combined_modulus();
         let material = &scene.material;
         let body = material.elastic_plastic();
         let critical = body.critical_interference(1.0);
         let diffusivity = material.diffusivity();
-        let heat_capacity = material.density * material.specific_heat / material.yield_strength;
+        let heat_capacity = material.density * material.specific_heat.value / material.yield_strength;
         let counterface = half_space(scene, heat_capacity, expansion);
         let mut interface = scene.interface.clone();
         if counterface.is_some() {
@@ -139,7 +139,7 @@ impl Problem {
             finite_strain: scene.model.kinematics == Kinematics::Finite,
             contact_modulus: body.contact_modulus() / material.yield_strength,
             poisson_ratio: material.poisson_ratio,
-            counterface_share: 1.0 - material.youngs_modulus / own_modulus,
+            counterface_share: 1.0 - material.youngs_modulus.value / own_modulus,
             critical_interference: critical,
             interference: scene.loading.interference * critical,
             interface,
@@ -149,11 +149,16 @@ impl Problem {
             control: scene.loading.control,
             wave_speed: wave_speed * scene.radius / diffusivity,
             heat_capacity,
-            thermal_properties: ThermalProperties::of(&material.dependence, scene.loading.temperature),
+            thermal_properties: ThermalProperties::of(
+                &material.specific_heat,
+                &material.thermal_conductivity,
+                scene.loading.temperature,
+            ),
             initial_heat_partition: scene.initial_heat_partition(),
             counterface,
             melting_rise: scene.highest_temperature().map(|highest| highest - scene.loading.temperature),
-            gap_biot_number: scene.interface.gap_conductance * scene.radius / material.thermal_conductivity,
+            gap_biot_number: scene.interface.gap_conductance * scene.radius
+                / material.thermal_conductivity.value,
             units: Units {
                 length: scene.radius,
                 stress: material.yield_strength,
@@ -186,18 +191,24 @@ impl Problem {
 
 /// Speed of shear waves √(G/ρ), m/s.
 pub(crate) fn wave_speed(material: &Material) -> f64 {
-    (0.5 * material.youngs_modulus / ((1.0 + material.poisson_ratio) * material.density)).sqrt()
+    (0.5 * material.youngs_modulus.value / ((1.0 + material.poisson_ratio) * material.density)).sqrt()
 }
 
 /// The counterface of a scene, if it conducts and expands by `expansion` = (1 + ν₂)α₂, beside an asperity of heat capacity
 /// `capacity`, which is k also.
 fn half_space(scene: &Scene, capacity: f64, expansion: f64) -> Option<HalfSpace> {
-    let [conductivity, heat] = scene.counterface.conduction()?;
-    let Material { thermal_conductivity, density, specific_heat, .. } = scene.material;
-    let (conductivity, heat) = (conductivity / thermal_conductivity, heat / (density * specific_heat));
-    let conductance = scene.counterface.contact_conductance * scene.radius / thermal_conductivity;
+    let flat = &scene.counterface;
+    let [conductivity, heat] = flat.conduction()?;
+    let Material { thermal_conductivity: Property { value: own, .. }, density, specific_heat, .. } =
+        &scene.material;
+    let (conductivity, heat) = (conductivity / own, heat / (density * specific_heat.value));
+    let conductance = flat.contact_conductance * scene.radius / own;
     let mut half_space = HalfSpace::new(conductivity / heat, capacity * (conductivity * heat).sqrt())
-        .with_properties(ThermalProperties::of(&scene.counterface.dependence, scene.loading.temperature))
+        .with_properties(ThermalProperties::of(
+            flat.specific_heat.as_ref()?,
+            flat.thermal_conductivity.as_ref()?,
+            scene.loading.temperature,
+        ))
         .with_expansion(expansion);
     half_space.resistance = 1.0 / (conductance * capacity);
     half_space.share = scene.interface.heat_partition;

@@ -82,10 +82,13 @@ enum Expansion {
 impl Solid {
     pub fn new(material: &Material, initial_temperature: f64) -> Self {
         let mut solid = Self {
-            moduli: Moduli::new(material.youngs_modulus / material.yield_strength, material.poisson_ratio),
-            stiffness: material.dependence.youngs_modulus.as_ref().map(|e| e.relative(initial_temperature)),
-            expansion: match &material.dependence.thermal_expansion {
-                None => Expansion::Constant(material.thermal_expansion),
+            moduli: Moduli::new(
+                material.youngs_modulus.value / material.yield_strength,
+                material.poisson_ratio,
+            ),
+            stiffness: material.youngs_modulus.table.as_ref().map(|e| e.relative(initial_temperature)),
+            expansion: match &material.thermal_expansion.table {
+                None => Expansion::Constant(material.thermal_expansion.value),
                 Some(alpha) => Expansion::Varying(alpha.over_rise(initial_temperature)),
             },
             hardening: material.hardening.clone(),

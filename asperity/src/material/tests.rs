@@ -5,26 +5,29 @@ use super::*;
 /// A steel: E = 200 GPa, ν = 0.3, σ_Y = 400 MPa; constant properties, linear softening.
 pub(crate) fn steel(hardening: Hardening) -> Material {
     Material {
-        youngs_modulus: 200e9,
+        youngs_modulus: 200e9.into(),
         poisson_ratio: 0.3,
         yield_strength: 400e6,
         hardening,
         rate: Rate::None,
         density: 7850.0,
-        specific_heat: 475.0,
-        thermal_conductivity: 45.0,
-        thermal_expansion: 1.2e-5,
+        specific_heat: 475.0.into(),
+        thermal_conductivity: 45.0.into(),
+        thermal_expansion: 1.2e-5.into(),
         softening: Softening::JohnsonCook { reference: 298.0, melting: 1793.0, exponent: 1.0 },
         fracture: None,
-        dependence: Default::default(),
     }
 }
 
 /// A stronger one with a softening that is not linear.
 fn solid(hardening: Hardening) -> Solid {
     let softening = Softening::JohnsonCook { reference: 298.0, melting: 1793.0, exponent: 1.03 };
-    let material =
-        Material { youngs_modulus: 205e9, poisson_ratio: 0.29, yield_strength: 792e6, ..steel(hardening) };
+    let material = Material {
+        youngs_modulus: 205e9.into(),
+        poisson_ratio: 0.29,
+        yield_strength: 792e6,
+        ..steel(hardening)
+    };
     Solid::new(&Material { softening, ..material }, 298.0)
 }
 

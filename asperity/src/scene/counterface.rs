@@ -6,12 +6,11 @@ use std::fmt::{self, Display, Formatter};
 use serde::{Deserialize, Serialize};
 use tables::closed_forms::hertz::{contact_modulus, dundurs_beta};
 
-use crate::scene::material::Property;
-use crate::scene::{Scene, TemperatureDependence};
+use crate::scene::{Property, Scene};
 
 /// A counterface that is elastic, or conducts heat, or both.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(from = "CounterfaceSection", into = "CounterfaceSection")]
+#[serde(deny_unknown_fields, default)]
 pub struct Counterface {
     /// E₂, Pa; with ν₂ the counterface is elastic.
     pub youngs_modulus: Option<f64>,
@@ -19,73 +18,14 @@ pub struct Counterface {
     pub poisson_ratio: Option<f64>,
     /// ρ₂, kg/m³; with c₂ and k₂ the counterface conducts heat.
     pub density: Option<f64>,
-    /// c₂ at the initial temperature, J/(kg K).
-    pub specific_heat: Option<f64>,
-    /// k₂ at the initial temperature, W/(m K).
-    pub thermal_conductivity: Option<f64>,
+    /// c₂, J/(kg K).
+    pub specific_heat: Option<Property>,
+    /// k₂, W/(m K).
+    pub thermal_conductivity: Option<Property>,
     /// α₂, 1/K, of a counterface that conducts; none leaves its expansion out.
     pub thermal_expansion: Option<f64>,
     /// h_c, W/(m² K): between both surfaces; infinite where their temperatures agree in mean, slope and curvature.
     pub contact_conductance: f64,
-    /// Dependence of c₂ and k₂ on temperature.
-    pub dependence: TemperatureDependence,
-}
-
-/// The keys of the section as in a file.
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-struct CounterfaceSection {
-    youngs_modulus: Option<f64>,
-    poisson_ratio: Option<f64>,
-    density: Option<f64>,
-    specific_heat: Option<Property>,
-    thermal_conductivity: Option<Property>,
-    thermal_expansion: Option<f64>,
-    contact_conductance: f64,
-}
-
-impl Default for CounterfaceSection {
-    fn default() -> Self {
-        Counterface::default().into()
-    }
-}
-
-impl From<CounterfaceSection> for Counterface {
-    fn from(section: CounterfaceSection) -> Self {
-        let split = |property: Option<Property>| property.map(Property::split).unzip();
-        let (specific_heat, heat_table) = split(section.specific_heat);
-        let (thermal_conductivity, conductivity_table) = split(section.thermal_conductivity);
-        Self {
-            youngs_modulus: section.youngs_modulus,
-            poisson_ratio: section.poisson_ratio,
-            density: section.density,
-            specific_heat,
-            thermal_conductivity,
-            thermal_expansion: section.thermal_expansion,
-            contact_conductance: section.contact_conductance,
-            dependence: TemperatureDependence {
-                specific_heat: heat_table.flatten(),
-                thermal_conductivity: conductivity_table.flatten(),
-                ..Default::default()
-            },
-        }
-    }
-}
-
-impl From<Counterface> for CounterfaceSection {
-    fn from(counterface: Counterface) -> Self {
-        let Counterface { specific_heat, thermal_conductivity, dependence, .. } = counterface;
-        Self {
-            youngs_modulus: counterface.youngs_modulus,
-            poisson_ratio: counterface.poisson_ratio,
-            density: counterface.density,
-            specific_heat: specific_heat.map(|value| Property::join(value, dependence.specific_heat)),
-            thermal_conductivity: thermal_conductivity
-                .map(|value| Property::join(value, dependence.thermal_conductivity)),
-            thermal_expansion: counterface.thermal_expansion,
-            contact_conductance: counterface.contact_conductance,
-        }
-    }
 }
 
 impl Default for Counterface {
@@ -98,7 +38,6 @@ impl Default for Counterface {
             thermal_conductivity: None,
             thermal_expansion: None,
             contact_conductance: f64::INFINITY,
-            dependence: TemperatureDependence::default(),
         }
     }
 }
@@ -109,13 +48,11 @@ impl Display for Counterface {
         if self.is_absent() {
             return Ok(());
         }
-        let constant = Self { dependence: TemperatureDependence::default(), ..self.clone() };
+        let mut constant = self.clone();
+        let of_table = |(key, property): (_, &mut Property)| property.table.take().map(|_| key);
+        let varying: Vec<&str> = constant.properties_mut().filter_map(of_table).collect();
         let text = toml::to_string(&constant).map_err(|_| fmt::Error)?;
         f.write_str(&text.lines().collect::<Vec<_>>().join(", "))?;
-        let TemperatureDependence { specific_heat, thermal_conductivity, .. } = &self.dependence;
-        let tables = [("specific_heat", specific_heat), ("thermal_conductivity", thermal_conductivity)];
-        let varying: Vec<&str> =
-            tables.iter().filter(|(_, table)| table.is_some()).map(|(key, _)| *key).collect();
         if varying.is_empty() { Ok(()) } else { write!(f, ", with temperature: {}", varying.join(" and ")) }
     }
 }
@@ -126,21 +63,17 @@ impl Counterface {
         *self == Self::default()
     }
 
-    /// Sets the values at the initial temperature, K, of the properties that have a table.
-    pub(crate) fn evaluate_at_temperature(&mut self, temperature: f64) {
-        let TemperatureDependence { specific_heat, thermal_conductivity, .. } = &self.dependence;
-        for (value, table) in
-            [(&mut self.specific_heat, specific_heat), (&mut self.thermal_conductivity, thermal_conductivity)]
-        {
-            if let Some(table) = table {
-                *value = Some(table.at(temperature));
-            }
-        }
+    /// The properties that may depend on temperature and are given, with their keys.
+    pub(crate) fn properties_mut(&mut self) -> impl Iterator<Item = (&'static str, &mut Property)> {
+        [("specific_heat", &mut self.specific_heat), ("thermal_conductivity", &mut self.thermal_conductivity)]
+            .into_iter()
+            .filter_map(|(key, property)| Some((key, property.as_mut()?)))
     }
 
     /// k₂ and ρ₂c₂ at the initial temperature, where it conducts heat.
     pub fn conduction(&self) -> Option<[f64; 2]> {
-        Some([self.thermal_conductivity?, self.density? * self.specific_heat?])
+        let (conductivity, heat) = (self.thermal_conductivity.as_ref()?, self.specific_heat.as_ref()?);
+        Some([conductivity.value, self.density? * heat.value])
     }
 
     /// Péclet number Va/(2κ₂) at a slip rate (m/s) and the radius of a contact (m), where it conducts heat.
@@ -163,7 +96,7 @@ impl Scene {
     /// let scene = parse_scene(text, "this example", &[])?;
     /// let combined = scene.with_combined_modulus();
     /// // Of like bodies each takes half of the displacement.
-    /// assert!((combined.material.youngs_modulus / scene.material.youngs_modulus - 0.5).abs() < 1e-12);
+    /// assert!((combined.material.youngs_modulus.value / scene.material.youngs_modulus.value - 0.5).abs() < 1e-12);
     /// assert_eq!(combined.with_combined_modulus(), combined);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -173,9 +106,9 @@ impl Scene {
         // Its expansion still needs ν₂.
         if let Some((modulus, ratio)) = youngs_modulus.take().zip(*poisson_ratio) {
             let material = &mut scene.material;
-            let own = contact_modulus(material.youngs_modulus, material.poisson_ratio);
+            let own = contact_modulus(material.youngs_modulus.value, material.poisson_ratio);
             let combined = 1.0 / (1.0 / own + 1.0 / contact_modulus(modulus, ratio));
-            material.youngs_modulus *= combined / own;
+            material.youngs_modulus.value *= combined / own;
         }
         scene
     }
@@ -183,7 +116,7 @@ impl Scene {
     /// Dundurs' β of the asperity on its counterface, and on a rigid flat.
     pub(crate) fn dundurs_beta(&self) -> [f64; 2] {
         const RIGID: (f64, f64) = (f64::INFINITY, 0.0);
-        let asperity = (self.material.youngs_modulus, self.material.poisson_ratio);
+        let asperity = (self.material.youngs_modulus.value, self.material.poisson_ratio);
         let Counterface { youngs_modulus, poisson_ratio, .. } = self.counterface;
         [youngs_modulus.zip(poisson_ratio).unwrap_or(RIGID), RIGID].map(|flat| dundurs_beta(asperity, flat))
     }
@@ -204,7 +137,8 @@ impl Scene {
         match self.counterface.conduction() {
             Some([conductivity, capacity]) if self.counterface.contact_conductance.is_infinite() => {
                 let material = &self.material;
-                let own = material.thermal_conductivity * material.density * material.specific_heat;
+                let own =
+                    material.thermal_conductivity.value * material.density * material.specific_heat.value;
                 1.0 / (1.0 + (conductivity * capacity / own).sqrt())
             }
             _ => self.interface.heat_partition,
@@ -216,7 +150,7 @@ impl Scene {
     /// mean rise over a moving disc (Tian & Kennedy 1994, J. Tribol. 116, 167, doi:10.1115/1.2927035) and the
     /// [constriction](Self::constriction) ρ of the asperity.
     pub fn steady_heat_partition(&self, slip_rate: f64, contact_radius: f64) -> Option<f64> {
-        let own = self.material.thermal_conductivity;
+        let own = self.material.thermal_conductivity.value;
         let [other, _] = self.counterface.conduction()?;
         let peclet = self.counterface.peclet(slip_rate, contact_radius)?;
         Some(own / (own + other * self.constriction(contact_radius) * (1.0 + peclet / 0.6575).sqrt()))
@@ -233,7 +167,7 @@ impl Scene {
 
     /// The largest share of the frictional heat to expect in the asperity.
     pub fn largest_heat_partition(&self) -> f64 {
-        let own = self.material.thermal_conductivity;
+        let own = self.material.thermal_conductivity.value;
         let resting = self.counterface.conduction().map_or(0.0, |[other, _]| own / (own + other));
         self.initial_heat_partition().max(resting)
     }

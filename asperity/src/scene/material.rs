@@ -163,47 +163,78 @@ impl TemperatureTable {
     }
 }
 
-/// How properties change with temperature; those without a table are constant.
-///
-/// The fields of the same names in [`Material`] hold the values at the initial temperature, see
-/// [`Material::evaluate_at_temperature`]. Modulus, specific heat and conductivity vary in proportion to them.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct TemperatureDependence {
-    pub youngs_modulus: Option<TemperatureTable>,
-    pub specific_heat: Option<TemperatureTable>,
-    pub thermal_conductivity: Option<TemperatureTable>,
-    pub thermal_expansion: Option<TemperatureTable>,
+/// A property in its unit, which may depend on temperature.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(from = "PropertyInFile", into = "PropertyInFile")]
+pub struct Property {
+    /// At the initial temperature.
+    pub value: f64,
+    /// None where the property is constant. Modulus, specific heat and conductivity vary in proportion to it.
+    pub table: Option<TemperatureTable>,
+}
+
+/// A number, or a table over temperature.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum PropertyInFile {
+    Constant(f64),
+    Varying(TemperatureTable),
+}
+
+impl From<PropertyInFile> for Property {
+    fn from(property: PropertyInFile) -> Self {
+        match property {
+            PropertyInFile::Constant(value) => value.into(),
+            // Until the initial temperature is known.
+            PropertyInFile::Varying(table) => Self { value: table.value[0], table: Some(table) },
+        }
+    }
+}
+
+impl From<Property> for PropertyInFile {
+    fn from(property: Property) -> Self {
+        property.table.map_or(Self::Constant(property.value), Self::Varying)
+    }
+}
+
+/// A constant property.
+impl From<f64> for Property {
+    fn from(value: f64) -> Self {
+        Self { value, table: None }
+    }
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(from = "MaterialSection", into = "MaterialSection")]
 pub struct Material {
-    /// E at the initial temperature, Pa.
-    pub youngs_modulus: f64,
+    /// E, Pa.
+    pub youngs_modulus: Property,
     pub poisson_ratio: f64,
     /// σ_Y at the initial temperature and zero plastic strain, Pa.
     pub yield_strength: f64,
+    #[serde(default)]
     pub hardening: Hardening,
+    #[serde(default)]
     pub rate: Rate,
     /// ρ, kg/m³.
     pub density: f64,
-    /// c at the initial temperature, J/(kg K).
-    pub specific_heat: f64,
-    /// k at the initial temperature, W/(m K).
-    pub thermal_conductivity: f64,
-    /// Coefficient dε/dT at the initial temperature, 1/K.
-    pub thermal_expansion: f64,
+    /// c, J/(kg K).
+    pub specific_heat: Property,
+    /// k, W/(m K).
+    pub thermal_conductivity: Property,
+    /// Coefficient dε/dT, 1/K.
+    pub thermal_expansion: Property,
+    #[serde(default)]
     pub softening: Softening,
     /// Fracture data in shear.
+    #[serde(flatten)]
     pub fracture: Option<FractureData>,
-    pub dependence: TemperatureDependence,
 }
 
 impl Material {
     /// The material of the closed forms.
     pub fn elastic_plastic(&self) -> ElasticPlastic {
         ElasticPlastic {
-            youngs_modulus: self.youngs_modulus,
+            youngs_modulus: self.youngs_modulus.value,
             poisson_ratio: self.poisson_ratio,
             yield_strength: self.yield_strength,
         }
@@ -211,110 +242,16 @@ impl Material {
 
     /// Thermal diffusivity κ = k/(ρc), m²/s.
     pub fn diffusivity(&self) -> f64 {
-        self.thermal_conductivity / (self.density * self.specific_heat)
+        self.thermal_conductivity.value / (self.density * self.specific_heat.value)
     }
 
-    /// Sets the values at the initial temperature, K, of the properties that have a table.
-    pub fn evaluate_at_temperature(&mut self, temperature: f64) {
-        let tables = &self.dependence;
-        for (value, table) in [
-            (&mut self.youngs_modulus, &tables.youngs_modulus),
-            (&mut self.specific_heat, &tables.specific_heat),
-            (&mut self.thermal_conductivity, &tables.thermal_conductivity),
-            (&mut self.thermal_expansion, &tables.thermal_expansion),
-        ] {
-            if let Some(table) = table {
-                *value = table.at(temperature);
-            }
-        }
-    }
-}
-
-/// The keys of the section as in a file.
-#[derive(Serialize, Deserialize)]
-struct MaterialSection {
-    youngs_modulus: Property,
-    poisson_ratio: f64,
-    yield_strength: f64,
-    #[serde(default)]
-    hardening: Hardening,
-    #[serde(default)]
-    rate: Rate,
-    density: f64,
-    specific_heat: Property,
-    thermal_conductivity: Property,
-    thermal_expansion: Property,
-    #[serde(default)]
-    softening: Softening,
-    #[serde(flatten)]
-    fracture: Option<FractureData>,
-}
-
-/// A number, or a table over temperature.
-#[derive(Serialize, Deserialize)]
-#[serde(untagged)]
-pub(super) enum Property {
-    Constant(f64),
-    Varying(TemperatureTable),
-}
-
-impl Property {
-    /// The value, of a table the first until the initial temperature is known, and the table.
-    pub(super) fn split(self) -> (f64, Option<TemperatureTable>) {
-        match self {
-            Self::Constant(value) => (value, None),
-            Self::Varying(table) => (table.value[0], Some(table)),
-        }
-    }
-
-    pub(super) fn join(value: f64, table: Option<TemperatureTable>) -> Self {
-        table.map_or(Self::Constant(value), Self::Varying)
-    }
-}
-
-impl From<MaterialSection> for Material {
-    fn from(section: MaterialSection) -> Self {
-        let (youngs_modulus, modulus_table) = section.youngs_modulus.split();
-        let (specific_heat, heat_table) = section.specific_heat.split();
-        let (thermal_conductivity, conductivity_table) = section.thermal_conductivity.split();
-        let (thermal_expansion, expansion_table) = section.thermal_expansion.split();
-        Self {
-            youngs_modulus,
-            poisson_ratio: section.poisson_ratio,
-            yield_strength: section.yield_strength,
-            hardening: section.hardening,
-            rate: section.rate,
-            density: section.density,
-            specific_heat,
-            thermal_conductivity,
-            thermal_expansion,
-            softening: section.softening,
-            fracture: section.fracture,
-            dependence: TemperatureDependence {
-                youngs_modulus: modulus_table,
-                specific_heat: heat_table,
-                thermal_conductivity: conductivity_table,
-                thermal_expansion: expansion_table,
-            },
-        }
-    }
-}
-
-impl From<Material> for MaterialSection {
-    fn from(material: Material) -> Self {
-        let tables = material.dependence;
-        Self {
-            youngs_modulus: Property::join(material.youngs_modulus, tables.youngs_modulus),
-            poisson_ratio: material.poisson_ratio,
-            yield_strength: material.yield_strength,
-            hardening: material.hardening,
-            rate: material.rate,
-            density: material.density,
-            specific_heat: Property::join(material.specific_heat, tables.specific_heat),
-            thermal_conductivity: Property::join(material.thermal_conductivity, tables.thermal_conductivity),
-            thermal_expansion: Property::join(material.thermal_expansion, tables.thermal_expansion),
-            softening: material.softening,
-            fracture: material.fracture,
-        }
+    /// The properties that may depend on temperature.
+    pub(crate) fn properties_mut(&mut self) -> [&mut Property; 4] {
+        [
+            &mut self.youngs_modulus,
+            &mut self.specific_heat,
+            &mut self.thermal_conductivity,
+            &mut self.thermal_expansion,
+        ]
     }
 }

@@ -24,9 +24,7 @@ pub use counterface::Counterface;
 pub use friction_law::FrictionLaw;
 pub(crate) use friction_law::{REMEDY_OF_LIGHT_CONTACT, ShearLimit};
 pub use loading::{Control, Loading, LoadingStep};
-pub use material::{
-    FractureData, Hardening, Material, Rate, Softening, TemperatureDependence, TemperatureTable,
-};
+pub use material::{FractureData, Hardening, Material, Property, Rate, Softening, TemperatureTable};
 
 /// Which yield strength of the material the interface shears at.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -210,10 +208,19 @@ impl Scene {
         if let Some(modulus) = material.hardening.modulus_mut() {
             *modulus *= ratio;
         }
-        material.evaluate_at_temperature(temperature);
-        scene.counterface.evaluate_at_temperature(temperature);
         scene.loading.temperature = temperature;
+        scene.evaluate_properties();
         scene
+    }
+
+    /// Sets the values of the properties that have a table to those at the initial temperature.
+    fn evaluate_properties(&mut self) {
+        let of_counterface = self.counterface.properties_mut().map(|(_, property)| property);
+        for property in self.material.properties_mut().into_iter().chain(of_counterface) {
+            if let Some(table) = &property.table {
+                property.value = table.at(self.loading.temperature);
+            }
+        }
     }
 }
 

@@ -59,17 +59,19 @@ impl Scene {
 
     /// The tables over temperature that a run with or without heat reads.
     fn tables_over_temperature(&self, heat: bool) -> Vec<Points<'_>> {
-        let (properties, opposite) = (&self.material.dependence, &self.counterface.dependence);
+        let (material, counterface) = (&self.material, &self.counterface);
         let mut tables: Vec<Points<'_>> = Vec::new();
-        for (key, table) in [
-            ("material.youngs_modulus", &properties.youngs_modulus),
-            ("material.specific_heat", &properties.specific_heat),
-            ("material.thermal_conductivity", &properties.thermal_conductivity),
-            ("material.thermal_expansion", &properties.thermal_expansion),
-            ("counterface.specific_heat", &opposite.specific_heat),
-            ("counterface.thermal_conductivity", &opposite.thermal_conductivity),
+        for (key, property) in [
+            ("material.youngs_modulus", Some(&material.youngs_modulus)),
+            ("material.specific_heat", Some(&material.specific_heat)),
+            ("material.thermal_conductivity", Some(&material.thermal_conductivity)),
+            ("material.thermal_expansion", Some(&material.thermal_expansion)),
+            ("counterface.specific_heat", counterface.specific_heat.as_ref()),
+            ("counterface.thermal_conductivity", counterface.thermal_conductivity.as_ref()),
         ] {
-            let table = table.as_ref().filter(|_| heat || key == "material.youngs_modulus");
+            let table = property
+                .and_then(|property| property.table.as_ref())
+                .filter(|_| heat || key == "material.youngs_modulus");
             tables.extend(table.map(|table| (key, &table.temperature[..], &table.value[..])));
         }
         for (key, law) in self.softenings() {

@@ -108,9 +108,9 @@ fn constants_are_those_at_the_temperature() {
     assert!(ratio < 0.7);
     assert_eq!(hot.material.yield_strength, cold.material.yield_strength * ratio);
     assert_eq!(hot.material.hardening, Hardening::JohnsonCook { modulus: 5e8 * ratio, exponent: 0.3 });
-    let tables = &cold.material.dependence;
-    assert_eq!(hot.material.youngs_modulus, tables.youngs_modulus.as_ref().unwrap().at(800.0));
-    assert!(hot.material.youngs_modulus < cold.material.youngs_modulus);
-    assert_eq!(hot.material.specific_heat, tables.specific_heat.as_ref().unwrap().at(800.0));
+    let at_800 = |property: &Property| property.table.as_ref().unwrap().at(800.0);
+    assert_eq!(hot.material.youngs_modulus.value, at_800(&cold.material.youngs_modulus));
+    assert!(hot.material.youngs_modulus.value < cold.material.youngs_modulus.value);
+    assert_eq!(hot.material.specific_heat.value, at_800(&cold.material.specific_heat));
     assert_eq!((hot.radius, &hot.interface), (cold.radius, &cold.interface));
 }

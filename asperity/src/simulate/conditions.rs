@@ -153,7 +153,10 @@ impl<'a> Conditions<'a> {
         let [conductivity, _] = scene.counterface.conduction().filter(|_| self.heat.is_coupled())?;
         let bound = |slip_rate: f64| {
             let peclet = scene.counterface.peclet(slip_rate, contact_radius * problem.units.length)?;
-            Some(SharedHeat::bound_of_mean_rise(conductivity / scene.material.thermal_conductivity, peclet))
+            Some(SharedHeat::bound_of_mean_rise(
+                conductivity / scene.material.thermal_conductivity.value,
+                peclet,
+            ))
         };
         let slip_rates = self.programme.iter().map(|step| step.slip_rate().abs()).filter(|&rate| rate > 0.0);
         let value = |quantity| run.values.value(quantity);

@@ -71,9 +71,10 @@ pub(super) fn inception_time(
     }
     let (radius, error) = (contact_radius.value, contact_radius.error);
     let area = Estimate { value: PI * radius * radius, error: 2.0 * PI * radius * error };
-    let Material { youngs_modulus, poisson_ratio, density, .. } = scene.material;
+    let Material { poisson_ratio, density, .. } = scene.material;
+    let youngs_modulus = scene.material.youngs_modulus.value;
     // An elastic counterface is displaced as well.
-    let compliance = youngs_modulus / scene.with_combined_modulus().material.youngs_modulus;
+    let compliance = youngs_modulus / scene.with_combined_modulus().material.youngs_modulus.value;
     let time = partial_slip::inception_time(youngs_modulus, poisson_ratio, density);
     Some(friction.over(area).scaled(compliance * time / slip_rate))
 }
@@ -130,7 +131,7 @@ mod tests {
     #[test]
     fn the_time_of_inception_is_the_one_worked_by_hand() {
         let mut scene = fake::scene(4.0, 10.0);
-        scene.material.youngs_modulus = 120e9;
+        scene.material.youngs_modulus = 120e9.into();
         scene.material.poisson_ratio = 0.3;
         scene.material.density = 9000.0;
         let friction = Estimate::exact(PI * 1e-10 * 5e7);

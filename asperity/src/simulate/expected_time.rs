@@ -62,8 +62,9 @@ pub(super) fn expected_time_but_for_hot_properties(scene: &Scene) -> f64 {
 }
 
 fn has_variable_properties(scene: &Scene) -> bool {
-    let varies = &scene.material.dependence;
-    varies.specific_heat.is_some() || varies.thermal_conductivity.is_some()
+    [&scene.material.specific_heat, &scene.material.thermal_conductivity]
+        .iter()
+        .any(|property| property.table.is_some())
 }
 
 /// Factor for heat that is more than linear conduction in the asperity.

@@ -16,7 +16,7 @@ use crate::scene::{FractureData, Hardening, Material};
 
 /// G_IIc of the material over the contact radius, given or estimated.
 pub fn fracture_energy(material: &Material) -> FractureEnergy {
-    let modulus = material.youngs_modulus;
+    let modulus = material.youngs_modulus.value;
     let griffith =
         |stress: f64| FractureEnergy { coefficient: PI * stress.powi(2) / modulus, radius_exponent: 1 };
     match material.fracture {

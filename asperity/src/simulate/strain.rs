@@ -34,7 +34,7 @@ pub fn choose_strain(scene: &Scene, problem: &Problem, body: &Body, contact: &Co
     let added = match strength {
         ratio if ratio > 1.0 => f64::INFINITY,
         ratio => {
-            let yield_strain = scene.material.yield_strength / scene.material.youngs_modulus;
+            let yield_strain = scene.material.yield_strength / scene.material.youngs_modulus.value;
             let added =
                 yield_strain * added_by_slide(ratio, problem.interference / problem.critical_interference);
             if ratio == 1.0 { scene.plateau_below_interface() + added } else { added }
@@ -65,7 +65,7 @@ pub fn choose_strain(scene: &Scene, problem: &Problem, body: &Body, contact: &Co
 /// proportion to.
 pub fn elastic_strain(scene: &Scene, problem: &Problem) -> f64 {
     let light = problem.interference / problem.critical_interference / LIGHT;
-    scene.material.yield_strength / scene.material.youngs_modulus * light.min(1.0).sqrt()
+    scene.material.yield_strength / scene.material.youngs_modulus.value * light.min(1.0).sqrt()
 }
 
 /// Whether the body may shear without limit under the interface: it has yielded, does not harden, and is no stronger

@@ -182,7 +182,7 @@ fn a_run_outside_a_table_of_its_scene_is_warned_of() {
     // Friction of 4340 steel at 10 m/s heats by more than 100 K.
     for (heat, warned) in [("on", true), ("off", false)] {
         let mut scene = hot_scene("steel-4340", 20.0, 10.0, heat);
-        scene.material.dependence = of_preset("steel-4340", &[table]).material.dependence;
+        scene.material.specific_heat = of_preset("steel-4340", &[table]).material.specific_heat;
         let warnings = simulate(&scene, &Unwatched).unwrap().account.warnings;
         let found = warnings.iter().any(|warning| matches!(warning, Warning::OutsideTable(_)));
         assert_eq!(found, warned, "{warnings:?}");
@@ -347,8 +347,8 @@ fn negligible_heat_is_left_out() {
     for (capacity, first) in [(5.0, 1.0 / 6.0), (1.0, 1.0 / (1.0 + 5f64.sqrt()))] {
         let mut scene = hot_scene("steel-4340", 2.0, 1e-5, "auto");
         let material = &scene.material;
-        scene.counterface.thermal_conductivity = Some(5.0 * material.thermal_conductivity);
-        scene.counterface.specific_heat = Some(capacity * material.specific_heat);
+        scene.counterface.thermal_conductivity = Some((5.0 * material.thermal_conductivity.value).into());
+        scene.counterface.specific_heat = Some((capacity * material.specific_heat.value).into());
         scene.counterface.density = Some(material.density);
         let scalars = simulate(&scene, &Unwatched).unwrap().scalars;
         let partition = scalars[Quantity::HeatPartition];

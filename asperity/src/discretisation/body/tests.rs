@@ -7,38 +7,35 @@ use crate::discretisation::element::tests::nodal;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::material::instruction_set;
 use crate::material::tests::steel;
-use crate::scene::{Hardening, Material, Rate, TemperatureDependence, TemperatureTable};
+use crate::scene::{Hardening, Material, Property, Rate, TemperatureTable};
 
 pub(super) fn body(hardening: Hardening, sectors: Collocation) -> Body {
-    body_with(hardening, sectors, TemperatureDependence::default())
+    body_of(&steel(hardening), sectors)
 }
 
-/// A modulus that falls by half over 400 K with a kink, and an expansion that grows.
-fn varying() -> TemperatureDependence {
-    let table = |value: [f64; 3]| {
-        Some(TemperatureTable { temperature: vec![298.0, 398.0, 698.0], value: value.to_vec() })
+/// A steel with a modulus that falls by half over 400 K with a kink, and an expansion that grows.
+fn varying(hardening: Hardening) -> Material {
+    let property = |value: [f64; 3]| Property {
+        value: value[0],
+        table: Some(TemperatureTable { temperature: vec![298.0, 398.0, 698.0], value: value.to_vec() }),
     };
-    TemperatureDependence {
-        youngs_modulus: table([200e9, 190e9, 100e9]),
-        thermal_expansion: table([1.2e-5, 1.4e-5, 1.5e-5]),
-        ..TemperatureDependence::default()
+    Material {
+        youngs_modulus: property([200e9, 190e9, 100e9]),
+        thermal_expansion: property([1.2e-5, 1.4e-5, 1.5e-5]),
+        ..steel(hardening)
     }
 }
 
 /// E = 500 σ_Y, ν = 0.3.
 pub(crate) fn test_solid(hardening: Hardening) -> Solid {
-    solid_with(hardening, TemperatureDependence::default())
+    Solid::new(&steel(hardening), 298.0)
 }
 
-fn solid_with(hardening: Hardening, dependence: TemperatureDependence) -> Solid {
-    Solid::new(&Material { dependence, ..steel(hardening) }, 298.0)
-}
-
-fn body_with(hardening: Hardening, sectors: Collocation, dependence: TemperatureDependence) -> Body {
+fn body_of(material: &Material, sectors: Collocation) -> Body {
     let mut meridian = MeridianMesh::new(MeshSize::new(0.1, 4));
     // With equal weights linear displacements have uniform strains in the fan too.
     meridian.weights.fill(1.0);
-    Body::new(RevolvedMesh::new(meridian, sectors), solid_with(hardening, dependence))
+    Body::new(RevolvedMesh::new(meridian, sectors), Solid::new(material, 298.0))
 }
 
 pub(super) fn wave(n: usize, scale: f64, phase: f64) -> Vec<f64> {
@@ -94,19 +91,15 @@ pub(super) fn check_tangent(
 #[test]
 fn tangent_agrees_with_finite_differences() {
     let power = Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 };
-    for (hardening, dependence) in [
-        (Hardening::None, TemperatureDependence::default()),
-        (Hardening::Linear { modulus: 2e9 }, TemperatureDependence::default()),
-        (power.clone(), TemperatureDependence::default()),
-        (Hardening::None, varying()),
-        (power, varying()),
+    for material in [
+        steel(Hardening::None),
+        steel(Hardening::Linear { modulus: 2e9 }),
+        steel(power.clone()),
+        varying(Hardening::None),
+        varying(power),
     ] {
         for rate in [Rate::None, Rate::JohnsonCook { coefficient: 0.02, reference: 1.0 }] {
-            let mut body = body_with(hardening.clone(), Collocation::full(4), dependence.clone());
-            body.solid = Solid::new(
-                &Material { rate, dependence: dependence.clone(), ..steel(hardening.clone()) },
-                298.0,
-            );
+            let mut body = body_of(&Material { rate, ..material.clone() }, Collocation::full(4));
             body.time_step = if rate == Rate::None { f64::INFINITY } else { 1e-7 };
             let n = body.mesh.field_length(3);
             let heat = wave(body.mesh.field_length(1), 100.0, 0.3);
@@ -123,8 +116,8 @@ fn tangent_agrees_with_finite_differences() {
 /// thermal expansion + elastic energy given up by softening moduli, whatever the step.
 #[test]
 fn internal_work_is_stored_or_dissipated() {
-    for dependence in [TemperatureDependence::default(), varying()] {
-        let mut body = body_with(Hardening::Linear { modulus: 2e9 }, Collocation::full(4), dependence);
+    for material in [steel, varying] {
+        let mut body = body_of(&material(Hardening::Linear { modulus: 2e9 }), Collocation::full(4));
         let n = body.mesh.field_length(3);
         let (u0, u1) = (wave(n, 1e-4, 0.1), wave(n, 1.5e-4, 0.4));
         let (mut f0, mut f1) = (vec![0.0; n], vec![0.0; n]);
@@ -160,7 +153,7 @@ fn expansion(rise: f64) -> f64 {
 #[test]
 fn uniform_heat_stresses_only_what_is_held() {
     for rise in [50.0, 100.0, 250.0] {
-        let mut body = body_with(Hardening::None, Collocation::full(8), varying());
+        let mut body = body_of(&varying(Hardening::None), Collocation::full(8));
         let u = nodal(&body.mesh, |x| x.map(|x| expansion(rise) * x));
         let heat = vec![rise; body.mesh.field_length(1)];
         let mut force = vec![0.0; u.len()];
@@ -183,7 +176,7 @@ fn uniform_heat_stresses_only_what_is_held() {
 /// have the energy of E(T).
 #[test]
 fn yield_strength_and_modulus_are_those_of_the_temperature() {
-    let mut body = body_with(Hardening::Linear { modulus: 2e9 }, Collocation::full(4), varying());
+    let mut body = body_of(&varying(Hardening::Linear { modulus: 2e9 }), Collocation::full(4));
     let u = wave(body.mesh.field_length(3), 2e-4, 0.1);
     let heat = vec![250.0; body.mesh.field_length(1)];
     let mut force = vec![0.0; u.len()];
@@ -207,11 +200,11 @@ fn yield_strength_and_modulus_are_those_of_the_temperature() {
     assert!(flowing > 100);
     // With small displacements E(250 K) = 0.725 E: forces in proportion.
     let small: Vec<f64> = u.iter().map(|x| 1e-6 * x).collect();
-    let mut cold = body_with(Hardening::None, Collocation::full(4), TemperatureDependence::default());
+    let mut cold = body_of(&steel(Hardening::None), Collocation::full(4));
     let mut reference = vec![0.0; u.len()];
     cold.internal_force(&small, None, &mut reference);
-    let dependence = TemperatureDependence { thermal_expansion: None, ..varying() };
-    let mut hot = body_with(Hardening::None, Collocation::full(4), dependence);
+    let material = Material { thermal_expansion: 1.2e-5.into(), ..varying(Hardening::None) };
+    let mut hot = body_of(&material, Collocation::full(4));
     let (mut with, mut without) = (vec![0.0; u.len()], vec![0.0; u.len()]);
     hot.internal_force(&small, Some(&heat), &mut with);
     hot.internal_force(&vec![0.0; u.len()], Some(&heat), &mut without);
@@ -254,7 +247,7 @@ fn axisymmetric_and_revolved_bodies_agree() {
 fn instruction_sets_agree_bit_for_bit() {
     let hardening = Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 };
     for (count, finite) in [1, 4, 8, 12, 16].into_iter().flat_map(|count| [(count, false), (count, true)]) {
-        let mut body = body_with(hardening.clone(), Collocation::full(count), varying());
+        let mut body = body_of(&varying(hardening.clone()), Collocation::full(count));
         if finite {
             body = body.at_finite_strain();
         }

@@ -225,8 +225,8 @@ fn kinks_of_tabulated_softening_are_solved() {
 /// latter as a latent heat: the balance closes to 1e-10.
 #[test]
 fn heat_balance_closes_across_peaks_and_jumps() {
-    let steel = crate::scene::presets::tests::carbon_steel().dependence;
-    let (c, k) = (steel.specific_heat.unwrap(), steel.thermal_conductivity.unwrap());
+    let steel = crate::scene::presets::tests::carbon_steel();
+    let (c, k) = (steel.specific_heat.table.unwrap(), steel.thermal_conductivity.table.unwrap());
     let en = ThermalProperties::new(&c.relative(293.15), &k.relative(293.15));
     let jump = ThermalProperties::new(
         &Curve::new(vec![0.0, 400.0, 400.0, 410.0, 410.0], vec![1.0, 1.0, 50.0, 50.0, 2.0]),
@@ -253,7 +253,7 @@ fn heat_balance_closes_across_peaks_and_jumps() {
 /// θ = H⁻¹(heat), across the peak of c in EN 1993-1-2 in steps of hundreds of kelvin.
 #[test]
 fn volume_heating_follows_the_enthalpy() {
-    let steel = crate::scene::presets::tests::carbon_steel().dependence.specific_heat.unwrap();
+    let steel = crate::scene::presets::tests::carbon_steel().specific_heat.table.unwrap();
     let specific_heat = steel.relative(293.15);
     let properties = ThermalProperties::new(&specific_heat, &Curve::constant(1.0));
     let mesh = small_mesh();

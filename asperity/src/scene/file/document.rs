@@ -75,8 +75,7 @@ impl Document {
             interface.entry("law").or_insert_with(|| law["law"].clone());
         }
         let mut scene: Scene = read("", &sections, SCENE, &self.source)?;
-        scene.material.evaluate_at_temperature(scene.loading.temperature);
-        scene.counterface.evaluate_at_temperature(scene.loading.temperature);
+        scene.evaluate_properties();
         relations::check_material(&scene, &self.source)?;
         if let Some(load) = scene.loading.load {
             scene.loading.interference = expected_interference(&scene, load);

@@ -53,9 +53,10 @@ pub fn check_material(scene: &Scene, source: &Source) -> Result<(), SceneFileErr
             "left out without a rate law (material.rate): the press then does not depend on its time";
         return Err(source.invalid("loading.press_slip_distance", format!("{distance:?}"), allowed));
     }
-    if material.yield_strength >= material.youngs_modulus {
-        let mut allowed = format!("below youngs_modulus = {:?} (both in Pa)", material.youngs_modulus);
-        if let Some(remark) = plausible::remark("material.youngs_modulus", material.youngs_modulus) {
+    let modulus = material.youngs_modulus.value;
+    if material.yield_strength >= modulus {
+        let mut allowed = format!("below youngs_modulus = {modulus:?} (both in Pa)");
+        if let Some(remark) = plausible::remark("material.youngs_modulus", modulus) {
             allowed = format!("{allowed}; {remark}");
         }
         let found = format!("{:?}", material.yield_strength);

@@ -4,7 +4,7 @@ use tables::refinement::Goal;
 
 use super::*;
 use crate::scene::tests::{assert_written_is_read, parse};
-use crate::scene::{Hardening, Softening, TemperatureTable};
+use crate::scene::{Hardening, Property, Softening, TemperatureTable};
 
 const COMPLETE: &str = r#"
 [material]
@@ -102,7 +102,7 @@ fn keys_override_the_preset_and_set_overrides_the_file() {
     let changes = ["material.hardening.exponent=0.3", "material.softening={law=\"none\"}"];
     let scene = parse(&text, &changes).unwrap();
     assert_eq!(scene.material.yield_strength, 5e8);
-    assert_eq!(scene.material.youngs_modulus, 205e9);
+    assert_eq!(scene.material.youngs_modulus, 205e9.into());
     let expected = Hardening::JohnsonCook { modulus: 510e6, exponent: 0.3 };
     assert_eq!(scene.material.hardening, expected);
     assert_eq!(scene.material.softening, Softening::None);
@@ -315,16 +315,15 @@ fn laws_are_checked_with_their_keys() {
 fn properties_may_be_tables_over_temperature() {
     let table = "material.specific_heat={temperature=[198, 398], value=[400, 500]}";
     let scene = scene_with(&[table]).unwrap();
-    // The value at the initial temperature of 298 K.
-    assert_eq!(scene.material.specific_heat, 450.0);
     let expected = TemperatureTable { temperature: vec![198.0, 398.0], value: vec![400.0, 500.0] };
-    assert_eq!(scene.material.dependence.specific_heat, Some(expected));
-    assert_eq!(scene.material.dependence.youngs_modulus, None);
+    // The value at the initial temperature of 298 K.
+    assert_eq!(scene.material.specific_heat, Property { value: 450.0, table: Some(expected) });
+    assert_eq!(scene.material.youngs_modulus.table, None);
     // A number replaces the table of a preset.
     let short = SHORT.replace("steel-4340\"", "carbon-steel-en1993\"\nspecific_heat = 450.0");
     let scene = parse(&short, &[]).unwrap();
-    assert_eq!((scene.material.specific_heat, scene.material.dependence.specific_heat), (450.0, None));
-    assert!(scene.material.dependence.thermal_conductivity.is_some());
+    assert_eq!(scene.material.specific_heat, 450.0.into());
+    assert!(scene.material.thermal_conductivity.table.is_some());
 
     let key = "material.specific_heat";
     let refuse = |table: &str, parts: &[&str]| refused(&[&format!("{key}={table}")], parts);

@@ -247,16 +247,16 @@ pub(crate) mod tests {
     #[test]
     fn carbon_steel_has_the_values_of_en_1993_1_2_at_20_degrees() {
         let steel = carbon_steel();
-        assert!((steel.specific_heat - 439.8018).abs() < 0.05);
-        assert!((steel.thermal_conductivity - 53.334).abs() < 1e-9);
-        assert_eq!((steel.youngs_modulus, steel.yield_strength, steel.density), (210e9, 355e6, 7850.0));
-        assert!((steel.thermal_expansion - 1.216e-5).abs() < 1e-12);
+        assert!((steel.specific_heat.value - 439.8018).abs() < 0.05);
+        assert!((steel.thermal_conductivity.value - 53.334).abs() < 1e-9);
+        assert_eq!((steel.youngs_modulus.value, steel.yield_strength, steel.density), (210e9, 355e6, 7850.0));
+        assert!((steel.thermal_expansion.value - 1.216e-5).abs() < 1e-12);
     }
 
     /// The standard's formulas, 3.4.1.1 to 3.4.1.3, against the tables of the preset.
     #[test]
     fn carbon_steel_follows_the_formulas_of_en_1993_1_2() {
-        let tables = carbon_steel().dependence;
+        let steel = carbon_steel();
         let capacity = |t: f64| match t {
             t if t < 600.0 => 425.0 + t * (0.773 + t * (-1.69e-3 + 2.22e-6 * t)),
             t if t < 735.0 => 666.0 + 13002.0 / (738.0 - t),
@@ -264,14 +264,14 @@ pub(crate) mod tests {
             _ => 650.0,
         };
         let conductivity = |t: f64| if t < 800.0 { 54.0 - 3.33e-2 * t } else { 27.3 };
-        let (c, k) = (tables.specific_heat.unwrap(), tables.thermal_conductivity.unwrap());
+        let (c, k) = (steel.specific_heat.table.unwrap(), steel.thermal_conductivity.table.unwrap());
         for i in 0..11_800 {
             let t = 20.0 + 0.1 * i as f64 + 0.05;
             assert!((c.at(t + 273.15) / capacity(t) - 1.0).abs() < 0.01, "c({t})");
             assert!((k.at(t + 273.15) / conductivity(t) - 1.0).abs() < 1e-6, "k({t})");
         }
         // Elongation from 20 °C: 3.4.1.1, whose fall of 8.4e-6 at 750 °C is left out.
-        let alpha = tables.thermal_expansion.unwrap().over_rise(293.15);
+        let alpha = steel.thermal_expansion.table.unwrap().over_rise(293.15);
         for (t, elongation) in [
             (400.0, 1.2e-5 * 400.0 + 0.4e-8 * 400.0f64.powi(2) - 2.416e-4),
             (750.0, 1.1e-2 + 8.4e-6),
@@ -281,7 +281,7 @@ pub(crate) mod tests {
             assert!((alpha.integral(t - 20.0) - elongation).abs() < 1e-9, "{t}: {elongation}");
         }
         // Table 3.1, with the linear interpolation that it prescribes.
-        let e = tables.youngs_modulus.unwrap();
+        let e = steel.youngs_modulus.table.unwrap();
         for (t, factor) in [(100.0, 1.0), (250.0, 0.85), (550.0, 0.455), (700.0, 0.13), (1100.0, 0.0225)] {
             assert!((e.at(t + 273.15) / 210e9 - factor).abs() < 1e-9, "k_E({t})");
         }

@@ -54,7 +54,7 @@ pub(super) fn plastic_strain(watch: &dyn Watch) -> Result<Fit, SimulationError> 
         scene.loading.slip_distance = 2.0;
         let [pressed, last] = slid(&scene, 0.0, watch)?;
         let strain = last.plastic_strain_max - pressed.plastic_strain_max;
-        let unit = scene.material.yield_strength / scene.material.youngs_modulus;
+        let unit = scene.material.yield_strength / scene.material.youngs_modulus.value;
         let unit = unit * (2.0 * strength - 1.0).powi(3);
         Ok(((1.0 + interference).ln(), (strain / unit).ln()))
     };
@@ -87,7 +87,7 @@ pub(super) fn plastic_strain(watch: &dyn Watch) -> Result<Fit, SimulationError> 
 fn expanding(material: &str, interference: f64) -> Scene {
     let mut material = preset(material);
     material.softening = Softening::None;
-    material.dependence = Default::default();
+    material.properties_mut().into_iter().for_each(|property| property.table = None);
     let mut scene = scene(material, FrictionLaw::ShearStrength, interference, mesh(6, 4));
     scene.interface.heat_partition = 0.5;
     scene.loading.slip_distance = 2.0;

@@ -56,7 +56,7 @@ fn at_rest(watch: &dyn Watch) -> Rows {
     }
     // All of the heat is released on the asperity's side of a gap of the conductance k/a.
     let with_gap = |scene: &Scene| Counterface {
-        contact_conductance: scene.material.thermal_conductivity / Hertz::of(scene).contact_radius,
+        contact_conductance: scene.material.thermal_conductivity.value / Hertz::of(scene).contact_radius,
         ..conducting(scene, 4.0)
     };
     let heated = slide_beside(&with_gap, (1.0, 10.0, false), 8, watch)?;
@@ -118,7 +118,7 @@ fn beside_like_body(peclet: f64, poisson_ratio: f64) -> (Scene, f64) {
     scene.loading.slip_distance = 10_000.0;
     scene.loading.slip_rate = 2.0 * peclet * scene.material.diffusivity() / radius;
     let rise =
-        shear_strength(&scene) * scene.loading.slip_rate * radius / scene.material.thermal_conductivity;
+        shear_strength(&scene) * scene.loading.slip_rate * radius / scene.material.thermal_conductivity.value;
     (scene, rise)
 }
 
@@ -182,7 +182,7 @@ fn expanding(watch: &dyn Watch) -> Rows {
         scene.loading.slip_distance = slip;
         let expansion = DISPLACEMENT * Hertz::of(&scene).contact_radius / (scene.radius * scale);
         let mut load = |asperity: f64, counterface: f64| {
-            scene.material.thermal_expansion = asperity;
+            scene.material.thermal_expansion = asperity.into();
             scene.counterface.thermal_expansion = Some(counterface);
             Ok(simulate(&scene, watch)?.scalars[Quantity::Load].value)
         };
@@ -203,9 +203,9 @@ fn expanding(watch: &dyn Watch) -> Rows {
 pub(super) fn conducting(scene: &Scene, ratio: f64) -> Counterface {
     let material = &scene.material;
     Counterface {
-        thermal_conductivity: Some(ratio * material.thermal_conductivity),
+        thermal_conductivity: Some((ratio * material.thermal_conductivity.value).into()),
         density: Some(ratio * material.density),
-        specific_heat: Some(material.specific_heat),
+        specific_heat: Some(material.specific_heat.clone()),
         ..Counterface::default()
     }
 }
@@ -218,7 +218,7 @@ fn elastic(watch: &dyn Watch) -> Rows {
     scene.counterface.poisson_ratio = Some(poisson);
     let outcome = run_press(&scene, watch)?;
     let material = &scene.material;
-    let compliance = (1.0 - material.poisson_ratio.powi(2)) / material.youngs_modulus;
+    let compliance = (1.0 - material.poisson_ratio.powi(2)) / material.youngs_modulus.value;
     let modulus = 1.0 / (compliance + (1.0 - poisson * poisson) / youngs);
     let interference = 0.3 * outcome.critical_interference;
     let load = 4.0 / 3.0 * modulus * scene.radius.sqrt() * interference.powf(1.5);
@@ -244,7 +244,7 @@ fn elastic(watch: &dyn Watch) -> Rows {
 /// area are too large by some 0.8 and 0.5 a/R, which the errors state.
 fn soft_counterface(watch: &dyn Watch) -> Rows {
     let mut scene = scene(plain_material(0.3), FrictionLaw::Frictionless, 0.9, mesh(8, 4));
-    scene.counterface.youngs_modulus = Some(0.05 * scene.material.youngs_modulus);
+    scene.counterface.youngs_modulus = Some(0.05 * scene.material.youngs_modulus.value);
     scene.counterface.poisson_ratio = Some(0.3);
     let outcome = run_press(&scene, watch)?;
     let hertz = Hertz::of(&scene);
@@ -265,7 +265,7 @@ fn soft_counterface(watch: &dyn Watch) -> Rows {
 /// Mechanics*, 1985, §5.1).
 fn like_bodies(watch: &dyn Watch) -> Rows {
     let mut scene = scene(plain_material(0.3), FrictionLaw::ShearStrength, 0.3, mesh(8, 4));
-    scene.counterface.youngs_modulus = Some(scene.material.youngs_modulus);
+    scene.counterface.youngs_modulus = Some(scene.material.youngs_modulus.value);
     scene.counterface.poisson_ratio = Some(scene.material.poisson_ratio);
     let outcome = run_press(&scene, watch)?;
     let (state, hertz) = (pressed(&outcome), Hertz::of(&scene));

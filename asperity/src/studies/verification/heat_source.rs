@@ -92,14 +92,14 @@ pub(super) fn source(softening: f64, fourier: f64, elements: usize) -> (Scene, [
     scene.model.heat = Switch::On;
     let strength = shear_strength(&scene);
     let hertz = Hertz::of(&scene);
-    let (a, k) = (hertz.contact_radius, scene.material.thermal_conductivity);
+    let (a, k) = (hertz.contact_radius, scene.material.thermal_conductivity.value);
     let gross = strength / (2.0 * hertz.tangential_modulus);
     scene.loading.slip_distance = 2000.0 * gross;
     scene.loading.slip_rate = softening * k * RANGE / (strength * a);
     let distance = scene.loading.slip_distance * a;
     let time = distance / scene.loading.slip_rate;
     scene.material.density = 1.0;
-    scene.material.specific_heat = k * time / (fourier * a * a);
+    scene.material.specific_heat = (k * time / (fourier * a * a)).into();
     (scene, [strength, distance, time])
 }
 
@@ -134,7 +134,7 @@ fn cooled(biot: f64, watch: &dyn Watch) -> Rows {
     scene.interface.strength_factor = 0.01;
     scene.model.heat = Switch::On;
     let hertz = Hertz::of(&scene);
-    let (radius, k) = (hertz.contact_radius, scene.material.thermal_conductivity);
+    let (radius, k) = (hertz.contact_radius, scene.material.thermal_conductivity.value);
     let conductance = biot * k / radius;
     scene.interface.gap_conductance = conductance;
     scene.loading.slip_distance = 2.0;

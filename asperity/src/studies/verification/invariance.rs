@@ -45,8 +45,8 @@ fn rate(watch: &dyn Watch) -> Rows {
     let radius = slow.scalars[Quantity::ContactRadius].value;
     let slip = strength * radius / (2.0 * Hertz::of(&scene).tangential_modulus);
     let flux = scene.interface.heat_partition * strength * 10.0;
-    let rise =
-        2.0 * flux / material.thermal_conductivity * (material.diffusivity() * slip / (PI * 10.0)).sqrt();
+    let rise = 2.0 * flux / material.thermal_conductivity.value
+        * (material.diffusivity() * slip / (PI * 10.0)).sqrt();
     let Softening::JohnsonCook { reference, melting, exponent } = material.softening else {
         unreachable!("the preset has this law")
     };

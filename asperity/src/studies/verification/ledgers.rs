@@ -191,7 +191,7 @@ fn through_the_gap(watch: &dyn Watch) -> Rows {
 fn into_the_counterface(watch: &dyn Watch) -> Rows {
     let mut scene = steel(20.0);
     scene.counterface = conducting(&scene, 1.0);
-    scene.counterface.thermal_expansion = Some(scene.material.thermal_expansion);
+    scene.counterface.thermal_expansion = Some(scene.material.thermal_expansion.value);
     let outcome = simulate(&scene, watch)?;
     Ok(vec![
         generated("heat into asperity and counterface over the heat generated", &scene, &outcome, 0.005),

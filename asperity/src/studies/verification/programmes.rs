@@ -125,7 +125,7 @@ fn relaxation(watch: &dyn Watch) -> Rows {
     const RATE: f64 = 1.0;
     const HOLDS: [f64; 3] = [1e-9, 1e-7, 1e-5];
     let scene = weak_interface(8);
-    let shear_modulus = scene.material.youngs_modulus / (2.0 * (1.0 + scene.material.poisson_ratio));
+    let shear_modulus = scene.material.youngs_modulus.value / (2.0 * (1.0 + scene.material.poisson_ratio));
     let poisson_ratio = scene.material.poisson_ratio;
     let hold =
         |(n, time): (usize, f64)| LoadingStep::Hold { hold: if n == 0 { time } else { time - HOLDS[n - 1] } };

@@ -19,18 +19,17 @@ use crate::simulate::{SimulationError, Watch, simulate};
 /// the contact.
 pub fn plain_material(poisson_ratio: f64) -> Material {
     Material {
-        youngs_modulus: 200e9,
+        youngs_modulus: 200e9.into(),
         poisson_ratio,
         yield_strength: 40e6,
         hardening: Hardening::None,
         rate: Rate::None,
         density: 7850.0,
-        specific_heat: 475.0,
-        thermal_conductivity: 45.0,
-        thermal_expansion: 0.0,
+        specific_heat: 475.0.into(),
+        thermal_conductivity: 45.0.into(),
+        thermal_expansion: 0.0.into(),
         softening: Softening::None,
         fracture: None,
-        dependence: Default::default(),
     }
 }
 

@@ -51,7 +51,7 @@ fn slide(
 ) -> Result<Outcome, SimulationError> {
     let mut scene = scene(plain_material(POISSON), law, interference, mesh(8, 4));
     scene.material.yield_strength = YIELD;
-    scene.material.hardening = Hardening::Linear { modulus: 0.0005 * scene.material.youngs_modulus };
+    scene.material.hardening = Hardening::Linear { modulus: 0.0005 * scene.material.youngs_modulus.value };
     scene.loading.control = Control::Load;
     scene.loading.slip_distance = slip;
     simulate(&scene, watch)
