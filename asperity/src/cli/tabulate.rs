@@ -68,8 +68,8 @@ fn tabulate_request(
     if !tabulation.finished() {
         return Err(Failure::Run(format!(
             "stopped on request with {} of {} cells done; to continue: {}",
-            tabulation.cells.iter().flatten().flatten().count(),
-            wanted(&tabulation),
+            tabulation.cells.len(),
+            tabulation.wanted.len(),
             resuming(arguments),
         )));
     }
@@ -86,7 +86,7 @@ fn tabulate_request(
     Failure::all([removed, drawn, report(&tabulation, &table, &spent, arguments, display)])?;
     match tabulation.failures().count() {
         0 => Ok(()),
-        failed => Err(Failure::Run(failure(failed, wanted(&tabulation), &arguments.output))),
+        failed => Err(Failure::Run(failure(failed, tabulation.wanted.len(), &arguments.output))),
     }
 }
 
@@ -151,11 +151,6 @@ fn resuming(arguments: &TabulateArguments) -> String {
     format!("{}{again}{input}", command_line())
 }
 
-/// Number of cells that were to be run.
-fn wanted(tabulation: &Tabulation) -> usize {
-    tabulation.wanted.iter().flatten().filter(|wanted| **wanted).count()
-}
-
 fn report(
     tabulation: &Tabulation,
     table: &Table,
@@ -197,25 +192,23 @@ fn summary(tabulation: &Tabulation) -> String {
     let header = ["temperature", "interference", "slip_rate", "mu_static", "mu", "P_press", "area"];
     let header = &header[usize::from(tabulation.request.temperatures.is_empty())..];
     let mut rows = vec![header.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>()];
-    for (i, row) in tabulation.cells.iter().enumerate() {
-        for (j, cell) in row.iter().enumerate() {
-            let (temperature, interference) = tabulation.row(i);
-            let mut line: Vec<String> = Vec::new();
-            line.extend(temperature.map(|temperature| format!("{} K", numbers::plain(temperature))));
-            line.push(format!("{} omega_c", numbers::digits(interference, LABEL_DIGITS)));
-            line.push(format!("{} m/s", numbers::digits(tabulation.axes.slip_rate[j], LABEL_DIGITS)));
-            match cell {
-                Some(Ok(finished)) => line.extend(
-                    [Quantity::MuStatic, Quantity::Mu, Quantity::LoadPress, Quantity::Area].map(|quantity| {
-                        let unit = quantity.descriptor().units;
-                        numbers::with_error(finished.cell[quantity], unit)
-                    }),
-                ),
-                Some(Err(_)) => line.push("failed".into()),
-                None => line.push("not run".into()),
-            }
-            rows.push(line);
+    for (i, j) in tabulation.grid() {
+        let (temperature, interference) = tabulation.row(i);
+        let mut line: Vec<String> = Vec::new();
+        line.extend(temperature.map(|temperature| format!("{} K", numbers::plain(temperature))));
+        line.push(format!("{} omega_c", numbers::digits(interference, LABEL_DIGITS)));
+        line.push(format!("{} m/s", numbers::digits(tabulation.axes.slip_rate[j], LABEL_DIGITS)));
+        match tabulation.cells.get(&(i, j)) {
+            Some(Ok(finished)) => line.extend(
+                [Quantity::MuStatic, Quantity::Mu, Quantity::LoadPress, Quantity::Area].map(|quantity| {
+                    let unit = quantity.descriptor().units;
+                    numbers::with_error(finished.cell[quantity], unit)
+                }),
+            ),
+            Some(Err(_)) => line.push("failed".into()),
+            None => line.push("not run".into()),
         }
+        rows.push(line);
     }
     numbers::aligned(&rows, "  ", |_| true)
 }

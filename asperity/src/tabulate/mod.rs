@@ -262,13 +262,12 @@ pub(crate) fn tabulate_with<S: Simulator>(
         let pools = pools(jobs, work.pending(&known).count())
             .map_err(|error| TabulateError::Threads { jobs, reason: error.to_string() })?;
         grid::run(simulator, &work, (&mut known, &mut journal), &pools, watch)?;
-        let columns = axes.slip_rate.len();
-        let row = |i: usize| (0..columns).map(|j| known.get(&layout.point((i, j)).key()).cloned()).collect();
+        let result = |at| Some((at, known.get(&layout.point(at).key())?.clone()));
         let tabulation = Tabulation {
             request: request.clone(),
             shard: options.shard,
-            cells: (0..layout.rows()).map(row).collect(),
-            wanted: wanted.chunks(columns).map(<[bool]>::to_vec).collect(),
+            cells: layout.cells().filter_map(result).collect(),
+            wanted: layout.cells().filter(|at| wanted[layout.position(*at)]).collect(),
             axes: axes.clone(),
             resumed,
         };

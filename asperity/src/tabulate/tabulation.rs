@@ -1,5 +1,7 @@
 //! Results of a tabulation, and the [`Table`] of them with its metadata.
 
+use std::collections::BTreeMap;
+
 use tables::numbers::plain;
 use tables::quantity::Quantity;
 use tables::refinement::{Goal, JUDGED};
@@ -23,11 +25,10 @@ pub struct Tabulation {
     pub shard: Option<Shard>,
     /// Interferences and slip rates are those requested and those added.
     pub axes: Axes,
-    /// Over interference (at several initial temperatures those of the first, then those of the next)
-    /// and slip rate; `None` where the cell was not run.
-    pub cells: Vec<Vec<Option<CellResult>>>,
+    /// Results of the cells that were run.
+    pub cells: BTreeMap<Index, CellResult>,
     /// Cells that were to be run.
-    pub wanted: Vec<Vec<bool>>,
+    pub wanted: Vec<Index>,
     /// Cells taken from the journal.
     pub resumed: usize,
 }
@@ -35,23 +36,17 @@ pub struct Tabulation {
 impl Tabulation {
     /// Whether every cell that was to be run was, with or without success.
     pub fn finished(&self) -> bool {
-        self.each().all(|((i, j), cell)| cell.is_some() || !self.wanted[i][j])
+        self.wanted.iter().all(|index| self.cells.contains_key(index))
     }
 
     /// Cells that failed, with the reason.
     pub fn failures(&self) -> impl Iterator<Item = (Index, &str)> {
-        self.each().filter_map(|(index, cell)| match cell {
-            Some(Err(reason)) => Some((index, reason.as_str())),
-            _ => None,
-        })
+        self.cells.iter().filter_map(|(index, cell)| Some((*index, cell.as_ref().err()?.as_str())))
     }
 
     /// Cells with a result.
     pub fn done(&self) -> impl Iterator<Item = (Index, &Finished)> {
-        self.each().filter_map(|(index, cell)| match cell {
-            Some(Ok(cell)) => Some((index, cell)),
-            _ => None,
-        })
+        self.cells.iter().filter_map(|(index, cell)| Some((*index, cell.as_ref().ok()?)))
     }
 
     /// Time of the cells that were run by part of the computation, summed. A press that served several slip
@@ -68,11 +63,11 @@ impl Tabulation {
         (self.request.temperatures.get(i / count).copied(), self.axes.interference[i % count])
     }
 
-    fn each(&self) -> impl Iterator<Item = (Index, &Option<CellResult>)> {
-        self.cells
-            .iter()
-            .enumerate()
-            .flat_map(|(i, row)| row.iter().enumerate().map(move |(j, cell)| ((i, j), cell)))
+    /// The cells of the grid, row by row.
+    pub fn grid(&self) -> impl Iterator<Item = Index> {
+        let rows = self.request.temperatures.len().max(1) * self.axes.interference.len();
+        let columns = self.axes.slip_rate.len();
+        (0..rows).flat_map(move |i| (0..columns).map(move |j| (i, j)))
     }
 
     /// The table of all cells; `history` as in [`crate::output::provenance::history`]. Where points were
@@ -114,11 +109,10 @@ impl Tabulation {
     pub(super) fn slice(&self, n: usize, template: &Scene) -> Result<Slice, TableError> {
         let mut slice = Slice::new(self.axes.clone(), self.metadata(template))?;
         let count = self.axes.interference.len();
-        for ((i, j), result) in self.each().filter(|((i, _), _)| i / count == n) {
+        for ((i, j), result) in self.cells.range((n * count, 0)..((n + 1) * count, 0)) {
             match result {
-                Some(Ok(finished)) => slice.set_cell(i % count, j, finished.cell.clone())?,
-                Some(Err(reason)) => slice.mark_failed(i % count, j, reason),
-                None => {}
+                Ok(finished) => slice.set_cell(i % count, *j, finished.cell.clone())?,
+                Err(reason) => slice.mark_failed(i % count, *j, reason),
             }
         }
         Ok(slice)
