@@ -82,8 +82,12 @@ impl<'a> Conditions<'a> {
             return 0.0;
         }
         let Pressed { problem, contact_radius, .. } = self.pressed;
-        let slip_rate = self.programme.first().map_or(0.0, |step| step.slip_rate().abs());
-        slip_rate / problem.units.speed() * contact_radius
+        self.first_slip_rate() / problem.units.speed() * contact_radius
+    }
+
+    /// V of the first step, in which sliding begins, m/s.
+    fn first_slip_rate(&self) -> f64 {
+        self.programme.first().map_or(0.0, |step| step.slip_rate().abs())
     }
 
     /// Whether the hemisphere has room for the mesh.
@@ -94,10 +98,9 @@ impl<'a> Conditions<'a> {
     /// Expected share of the strength of the interface that is lost before sliding begins, in the first step.
     pub fn softening_at_inception(&self) -> f64 {
         let Pressed { scene, problem, contact_radius, .. } = self.pressed;
-        let slip_rate = self.programme.first().map_or(0.0, |step| step.slip_rate().abs());
         let radius = contact_radius * problem.units.length;
         match self.heat.is_coupled() {
-            true => HeatEffect::expected(scene, slip_rate, radius).inception,
+            true => HeatEffect::expected(scene, self.first_slip_rate(), radius).inception,
             false => 0.0,
         }
     }

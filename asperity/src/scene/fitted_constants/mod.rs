@@ -85,6 +85,8 @@ pub(crate) mod sliding_inception {
 ///   the errors of `G` of 1045 steel at 1000 ω_c (17.7 % too small) and copper at 3500 ω_c (18.9 %) are held, the two of these scenes
 ///   in which the load is held above 300 ω_c.
 pub(crate) mod error_estimates {
+    use tables::functions::interpolate;
+
     /// Order of convergence in the elements, that of the square-root edge of the pressure.
     pub const ORDER: f64 = 1.5;
     pub const ELEMENTS: f64 = 10.0;
@@ -92,6 +94,12 @@ pub(crate) mod error_estimates {
     pub const INTERFERENCES: [f64; 5] = [0.1, 1.0, 10.0, 100.0, 1e4];
     /// A value at each of them.
     pub type AtEach = [f64; INTERFERENCES.len()];
+
+    /// The value at ω₀/ω_c, linear in its logarithm between them and constant outside.
+    pub fn at_interference(values: &AtEach, interference: f64) -> f64 {
+        interpolate(&INTERFERENCES.map(f64::ln), values, interference.ln()).0
+    }
+
     /// Friction, friction coefficients and area of the slide.
     pub const FRICTION: AtEach = [0.01, 0.0045, 0.0035, 0.0055, 0.0055];
     /// Friction at sliding inception.

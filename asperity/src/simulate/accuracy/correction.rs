@@ -4,12 +4,11 @@
 //! remains has either sign and is in the error estimates; above 300 ω_c that of sliding inception is larger, see the residuals
 //! of `mean_errors`.
 
-use tables::functions::interpolate;
 use tables::quantity::Quantity;
 
 use crate::loading::inception::InceptionCriterion;
 use crate::scene::FrictionLaw;
-use crate::scene::fitted_constants::error_estimates::{AtEach, ELEMENTS, INTERFERENCES, ORDER};
+use crate::scene::fitted_constants::error_estimates::{AtEach, ELEMENTS, ORDER, at_interference};
 use crate::scene::fitted_constants::mean_errors::{
     AREA, ENERGY, INCEPTION_SLIP, LOAD, MeanError, SECTORS, STATIC_FRICTION, at_high_peclet_number,
 };
@@ -96,7 +95,7 @@ impl Correction<'_> {
     /// Part that a value of the run lacks, relative to it: in the mesh by the order of convergence, on meshes coarser than
     /// [`ELEMENTS`] as on these; in the angles of second order.
     fn lacks(&self, MeanError { mesh, angles }: &MeanError) -> f64 {
-        let at = |values: &AtEach| interpolate(&INTERFERENCES.map(f64::ln), values, self.interference.ln()).0;
+        let at = |values: &AtEach| at_interference(values, self.interference);
         let elements = ELEMENTS.max(self.resolution.elements_per_radius as f64);
         let sectors = SECTORS.max(self.resolution.sectors as f64);
         at(mesh) * (ELEMENTS / elements).powf(ORDER) + at(angles) * (SECTORS / sectors).powi(2)

@@ -2,13 +2,12 @@
 //! between two angles, wherever the mesh puts these. It depends on the interference: in light contacts the edge moves
 //! during the slide, in deep ones the body shears beside it.
 
-use tables::functions::interpolate;
 use tables::quantity::Quantity;
 
 use crate::scene::Control;
 use crate::scene::fitted_constants::error_estimates::{
     AREA_OF_PRESS, DEEP_INCEPTION, ELEMENTS, ENERGY, ENERGY_OF_WEAKENING, FRICTION, HELD_LOAD, HIGHEST_RISE,
-    INCEPTION_SLIP, INTERFERENCES, LOAD, LOAD_OF_PRESS, MEAN_RISE, STATIC_FRICTION,
+    INCEPTION_SLIP, LOAD, LOAD_OF_PRESS, MEAN_RISE, STATIC_FRICTION, at_interference,
 };
 
 /// Relative standard uncertainty of a quantity by the mesh, at ω₀/ω_c and n_c.
@@ -30,8 +29,7 @@ pub fn scatter(quantity: Quantity, interference: f64, elements_per_radius: usize
         HeatPartition => return 0.0,
         _ => unreachable!("{quantity:?} is not a scalar"),
     };
-    let (logarithm, _) = interpolate(&INTERFERENCES.map(f64::ln), &of.map(f64::ln), interference.ln());
-    share * logarithm.exp() * ELEMENTS / elements_per_radius as f64
+    share * at_interference(&of.map(f64::ln), interference).exp() * ELEMENTS / elements_per_radius as f64
 }
 
 /// Relative standard uncertainty of `G` and the slip at inception in deep contacts, at ω₀/ω_c: what the mean errors of `correction`
@@ -42,7 +40,7 @@ pub fn of_deep_inception(interference: f64, control: Control) -> f64 {
         Control::Interference => 1.0,
         Control::Load => HELD_LOAD,
     };
-    factor * interpolate(&INTERFERENCES.map(f64::ln), &DEEP_INCEPTION, interference.ln()).0
+    factor * at_interference(&DEEP_INCEPTION, interference)
 }
 
 #[cfg(test)]
