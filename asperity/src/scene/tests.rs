@@ -1,7 +1,7 @@
 //! A scene at another initial temperature is the same body.
 
 use super::*;
-use crate::scene::file::{parse_scene, write_scene};
+use crate::scene::file::{Request, parse_request, parse_scene, write_scene};
 
 /// The scene of a text with other values by key, or the message.
 pub(crate) fn parse(text: &str, changes: &[&str]) -> Result<Scene, String> {
@@ -9,13 +9,21 @@ pub(crate) fn parse(text: &str, changes: &[&str]) -> Result<Scene, String> {
     parse_scene(text, "scene.toml", &changes).map_err(|error| error.to_string())
 }
 
+/// The request of a text with other values by key, or the message.
+pub(crate) fn request(text: &str, changes: &[&str]) -> Result<Request, String> {
+    let changes: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
+    parse_request(text, "request.toml", &changes).map_err(|error| error.to_string())
+}
+
+/// The sections of a shipped material on a sphere of 1 mm.
+pub(crate) fn sphere(preset: &str) -> String {
+    format!("[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n")
+}
+
 /// A shipped material on a sphere of 1 mm at 20 ω_c and 1 m/s, with other values by key.
 pub(crate) fn of_preset(preset: &str, changes: &[&str]) -> Scene {
-    let text = format!(
-        "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n\
-         [loading]\ninterference = 20\nslip_rate = 1\n"
-    );
-    parse(&text, changes).unwrap()
+    let loading = "[loading]\ninterference = 20\nslip_rate = 1\n";
+    parse(&format!("{}{loading}", sphere(preset)), changes).unwrap()
 }
 
 /// That a scene, written and read, is the same; returns the text.

@@ -115,27 +115,24 @@ mod tests {
     use tables::quantity::Quantity;
 
     use super::*;
-    use crate::scene::tests::parse;
+    use crate::scene::tests::of_preset;
     use crate::simulate::{Unwatched, simulate};
 
-    fn scene(load: &str, slip_distance: &str) -> Scene {
-        of_preset("steel-4340", load, slip_distance)
+    fn scene(preset: &str, loading: &[&str]) -> Scene {
+        let coarse = ["loading.slip_rate=0", "numerics.elements_per_radius=6", "numerics.sectors=4"];
+        of_preset(preset, &[&coarse, loading].concat())
     }
 
-    fn of_preset(preset: &str, load: &str, slip_distance: &str) -> Scene {
-        let text = format!(
-            "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n[loading]\n{load}\nslip_rate = 0\n\
-             slip_distance = {slip_distance}\n[numerics]\nelements_per_radius = 6\nsectors = 4\n"
-        );
-        parse(&text, &[]).unwrap()
+    fn steel(loading: &[&str]) -> Scene {
+        scene("steel-4340", loading)
     }
 
     /// From elastic to deep contacts, on both sides of the first guess.
     #[test]
     fn the_press_has_the_prescribed_load() {
         for prescribed in [1e-3, 0.3, 7.0, 80.0] {
-            let (found, note) =
-                with_interference(&scene("interference = 1", "0"), prescribed, &Unwatched).unwrap();
+            let start = steel(&["loading.interference=1", "loading.slip_distance=0"]);
+            let (found, note) = with_interference(&start, prescribed, &Unwatched).unwrap();
             let load = load_of(&found, &Unwatched).unwrap();
             assert!((load / prescribed - 1.0).abs() < CLOSE, "{prescribed}: {load}, {note}");
         }
@@ -144,7 +141,7 @@ mod tests {
     /// It is held during the slide.
     #[test]
     fn a_slide_has_the_prescribed_load() {
-        let outcome = simulate(&scene("load = 7", "0.2"), &Unwatched).unwrap();
+        let outcome = simulate(&steel(&["loading.load=7", "loading.slip_distance=0.2"]), &Unwatched).unwrap();
         for quantity in [Quantity::LoadPress, Quantity::Load] {
             let load = outcome.scalars[quantity].value;
             assert!((load / 7.0 - 1.0).abs() < 1.5 * CLOSE, "{quantity:?}: {load}");
@@ -152,15 +149,18 @@ mod tests {
         let says = |note: &Note| matches!(note, Note::OfLoad { prescribed: 7.0, .. });
         assert!(outcome.account.notes.iter().any(says), "{:?}", outcome.account.notes);
         // That of the given interference is the same run.
-        let text = format!("interference = {}\ncontrol = \"load\"", outcome.interference);
-        let again = simulate(&scene(&text, "0.2"), &Unwatched).unwrap();
+        let given = format!("loading.interference={}", outcome.interference);
+        let given = steel(&[&given, "loading.control=load", "loading.slip_distance=0.2"]);
+        let again = simulate(&given, &Unwatched).unwrap();
         assert_eq!(again.scalars, outcome.scalars);
     }
 
     /// The largest load that is pressed is stated.
     #[test]
     fn a_load_beyond_the_hemisphere_is_refused() {
-        let error = simulate(&scene("load = 1e6", "0"), &Unwatched).unwrap_err().to_string();
+        let error = simulate(&steel(&["loading.load=1e6", "loading.slip_distance=0"]), &Unwatched)
+            .unwrap_err()
+            .to_string();
         let words = ["loading.load = 1e6 N", "goes to about", "omega_c has a load of"];
         assert!(words.iter().all(|word| error.contains(word)), "{error}");
     }
@@ -168,7 +168,7 @@ mod tests {
     /// The closed form underestimates the load of a deep contact that hardens: its interference for this load does not fit.
     #[test]
     fn a_load_is_found_where_the_first_guess_is_too_deep() {
-        let copper = of_preset("copper", "load = 80", "0");
+        let copper = scene("copper", &["loading.load=80", "loading.slip_distance=0"]);
         let guess = copper.loading.interference;
         let at_guess = load_of(&copper, &Unwatched);
         assert!(matches!(at_guess, Err(SimulationError::Unsupported(_))), "{at_guess:?}");

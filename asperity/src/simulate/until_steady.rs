@@ -60,7 +60,7 @@ mod tests {
     use tables::quantity::{Quantity, State};
 
     use super::*;
-    use crate::scene::tests::{assert_written_is_read, of_preset};
+    use crate::scene::tests::{assert_written_is_read, of_preset, request, sphere};
     use crate::simulate::{Unwatched, press, simulate};
 
     fn steady_scene(slip_rate: &str, accuracy: &str) -> Scene {
@@ -113,9 +113,8 @@ mod tests {
         // As it is written, it is read.
         let written = assert_written_is_read(&scene);
         assert!(written.contains("slip_distance = \"steady\""), "{written}");
-        let request = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
-                       [loading]\nslip_distance = \"steady\"\n[table]\n";
-        let refused = crate::scene::file::parse_request(request, "this test", &[]).unwrap_err().to_string();
+        let table = sphere("steel-4340") + "[loading]\nslip_distance = \"steady\"\n[table]\n";
+        let refused = request(&table, &[]).unwrap_err();
         let words = "loading.slip_distance = \"steady\": must be a positive number";
         assert!(refused.contains(words), "{refused}");
     }

@@ -11,11 +11,12 @@ use tables::table::{Slice, Status, Table};
 use super::*;
 use crate::discretisation::mesh::MeshSize;
 use crate::loading::problem::Problem;
+use crate::scene;
 use crate::scene::file::parse_request;
+use crate::scene::tests::sphere;
 use crate::simulate::{Unwatched, fake};
 use crate::tabulate::fake::Fake;
 
-const COPPER: &str = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n";
 const GRID: &str = "[table]\ninterference = [1, 10, 100]\nslip_rate = [0.1, 1, 10]\n";
 const FIVE_ROWS: &str = "[table]\ninterference = [1, 3, 10, 30, 100]\nslip_rate = [0, 1, 10]\n";
 const TEMPERATURES: &str = "[table]\ninterference = [1, 3, 10, 30]\nslip_rate = [0, 10]\n\
@@ -30,7 +31,7 @@ fn outcome(request: &Request, interference: f64, slip_rate: f64) -> Outcome {
 }
 
 fn request(table: &str) -> Request {
-    parse_request(&format!("{COPPER}{table}"), "request.toml", &[]).unwrap()
+    scene::tests::request(&(sphere("copper") + table), &[]).unwrap()
 }
 
 /// A tabulation in a folder of its own, which later ones may continue.
@@ -352,8 +353,7 @@ fn time_remaining_is_reported() {
 #[test]
 fn default_requests_reach_as_far_as_the_hemisphere() {
     for preset in crate::scene::presets::names() {
-        let text = format!("[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n[table]\n");
-        let request = parse_request(&text, "this test", &[]).unwrap();
+        let request = scene::tests::request(&(sphere(preset) + "[table]\n"), &[]).unwrap();
         let largest = *request.interferences.last().unwrap();
         let fits = |interference: f64| {
             let mut scene = request.template.clone();

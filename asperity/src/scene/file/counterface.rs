@@ -104,13 +104,11 @@ pub fn resolve_counterface(sections: &mut Table, source: &Source) -> Result<(), 
 #[cfg(test)]
 mod tests {
     use crate::scene::Counterface;
-    use crate::scene::tests::{assert_written_is_read, parse};
+    use crate::scene::tests::{assert_written_is_read, parse, sphere};
 
     fn read(section: &str) -> Result<Counterface, String> {
-        let text = format!(
-            "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
-             [loading]\ninterference = 20\nslip_rate = 1\n{section}\n"
-        );
+        let sphere = sphere("steel-4340");
+        let text = format!("{sphere}[loading]\ninterference = 20\nslip_rate = 1\n{section}\n");
         let scene = parse(&text, &[])?;
         assert_written_is_read(&scene);
         Ok(scene.counterface)

@@ -50,22 +50,21 @@ fn largest_interference(scene: &Scene) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::file::{parse_request, write_request};
+    use crate::scene::file::write_request;
+    use crate::scene::tests::{request, sphere};
 
     #[test]
     fn an_empty_section_asks_for_the_default_grid() {
-        let text = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n[table]\n";
-        let request = parse_request(text, "this test", &[]).unwrap();
+        let of = |changes: &[&str]| request(&(sphere("steel-4340") + "[table]\n"), changes).unwrap();
+        let empty = of(&[]);
         let expected = [0.1, 0.2, 0.4, 0.7, 0.9, 1.2, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 125.0, 250.0, 580.0];
-        assert_eq!(request.interferences, expected);
-        assert_eq!(request.slip_rates, SLIP_RATES);
-        assert_eq!(parse_request(&write_request(&request), "written", &[]).unwrap(), request);
+        assert_eq!(empty.interferences, expected);
+        assert_eq!(empty.slip_rates, SLIP_RATES);
+        assert_eq!(request(&write_request(&empty), &[]).unwrap(), empty);
         // Without softening a hotter sphere has the same limit, with it a higher one: the lowest temperature decides.
-        let hot = ["table.temperature=[298, 900]".to_owned()];
-        assert_eq!(parse_request(text, "this test", &hot).unwrap().interferences, expected);
+        assert_eq!(of(&["table.temperature=[298, 900]"]).interferences, expected);
         // An interference of its own leaves the slip rates.
-        let own = ["table.interference=3".to_owned()];
-        let request = parse_request(text, "this test", &own).unwrap();
-        assert_eq!((request.interferences, request.slip_rates.len()), (vec![3.0], SLIP_RATES.len()));
+        let own = of(&["table.interference=3"]);
+        assert_eq!((own.interferences, own.slip_rates.len()), (vec![3.0], SLIP_RATES.len()));
     }
 }

@@ -53,13 +53,10 @@ pub fn expected_interference(scene: &Scene, load: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::scene::Control;
-    use crate::scene::file::parse_request;
-    use crate::scene::tests::{assert_written_is_read, parse};
-
-    const SCENE: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n";
+    use crate::scene::tests::{assert_written_is_read, parse, request, sphere};
 
     fn read(loading: &str, overrides: &[&str]) -> Result<Scene, String> {
-        parse(&format!("{SCENE}[loading]\nslip_rate = 1\n{loading}\n"), overrides)
+        parse(&format!("{}[loading]\nslip_rate = 1\n{loading}\n", sphere("steel-4340")), overrides)
     }
 
     #[test]
@@ -86,8 +83,8 @@ mod tests {
         refused("load = 20\ninterference = 3", &["loading.interference = 3", "left out where loading.load"]);
         refused("load = -1", &["line 7: loading.load = -1", "a positive number (N)"]);
         refused("", &["loading.interference is missing", "or loading.load"]);
-        let request = format!("{SCENE}[loading]\nload = 20\n[table]\n");
-        let error = parse_request(&request, "request.toml", &[]).unwrap_err().to_string();
+        let text = format!("{}[loading]\nload = 20\n[table]\n", sphere("steel-4340"));
+        let error = request(&text, &[]).unwrap_err();
         assert!(error.contains("loading.load = 20") && error.contains("table.interference"), "{error}");
     }
 

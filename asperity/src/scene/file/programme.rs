@@ -77,15 +77,15 @@ pub fn leave_to_programme(sections: &mut Table) {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::file::parse_request;
-    use crate::scene::tests::{assert_written_is_read, parse};
+    use crate::scene::tests::{assert_written_is_read, parse, request, sphere};
     use crate::scene::{LoadingStep, Scene};
 
-    const SCENE: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n";
+    fn with(loading: &str) -> String {
+        format!("{}[loading]\ninterference = 20\n{loading}\n", sphere("steel-4340"))
+    }
 
     fn read(loading: &str) -> Result<Scene, String> {
-        let text = format!("{SCENE}[loading]\ninterference = 20\n{loading}\n");
-        parse(&text, &[])
+        parse(&with(loading), &[])
     }
 
     #[test]
@@ -101,9 +101,8 @@ mod tests {
         assert_eq!(scene.loading.first_slip_rate(), 0.01);
         let written = assert_written_is_read(&scene);
         let set = ["loading.steps=[{ slip_rate = 5, slip_distance = 1 }]"];
-        let single = format!("{SCENE}[loading]\ninterference = 20\nslip_rate = 2\n");
-        for text in [&written, &single] {
-            assert_eq!(parse(text, &set).unwrap().loading.slip_rate, 5.0);
+        for text in [written, with("slip_rate = 2")] {
+            assert_eq!(parse(&text, &set).unwrap().loading.slip_rate, 5.0);
         }
         assert!(
             !read("slip_rate = 1").unwrap().defaults_in_effect().iter().any(|text| text.contains("steps"))
@@ -150,11 +149,10 @@ mod tests {
             assert!(parts.iter().all(|part| message.contains(part)), "{message}");
         }
         let set = "loading.steps=[{ hold = 0 }]";
-        let error = parse(&format!("{SCENE}[loading]\ninterference = 20\n"), &[set]).unwrap_err();
+        let error = parse(&with(""), &[set]).unwrap_err();
         assert!(error.starts_with(&format!("--set {set}: loading.steps[0].hold")), "{error}");
-        let request =
-            format!("{SCENE}[loading]\nsteps = [{{ slip_rate = 1, slip_distance = 1 }}]\n[table]\n");
-        let error = parse_request(&request, "request.toml", &[]).unwrap_err().to_string();
+        let steps = "[loading]\nsteps = [{ slip_rate = 1, slip_distance = 1 }]\n[table]\n";
+        let error = request(&format!("{}{steps}", sphere("steel-4340")), &[]).unwrap_err();
         assert!(
             error.contains("line 6: loading.steps") && error.contains("left out of a request"),
             "{error}"

@@ -115,16 +115,12 @@ pub fn check_rates(scene: &Scene, slip_rates: &[f64], source: &Source) -> Result
 #[cfg(test)]
 mod tests {
     use crate::scene::Rate;
-    use crate::scene::file::parse_request;
-    use crate::scene::tests::parse;
-
-    const SCENE: &str = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n";
+    use crate::scene::tests::{parse, request, sphere};
 
     #[test]
     fn mistakes_in_a_rate_law_are_named() {
         let refused = |preset: &str, rate: &str| {
-            let text =
-                format!("{SCENE}[loading]\ninterference = 20\nslip_rate = 1\n").replace("copper", preset);
+            let text = format!("{}[loading]\ninterference = 20\nslip_rate = 1\n", sphere(preset));
             parse(&text, &[&format!("material.rate={rate}")]).unwrap_err()
         };
         for (rate, message) in [
@@ -150,16 +146,16 @@ mod tests {
 
     #[test]
     fn tables_with_a_rate_law_do_not_reach_down_to_slip_rate_0() {
-        let rate = ["material.rate={ law = \"johnson-cook\" }".to_owned()];
-        let request = parse_request(&format!("{SCENE}[table]\n"), "request.toml", &rate).unwrap();
+        let of = |keys: &str| {
+            let rate = "material.rate={ law = \"johnson-cook\" }";
+            request(&format!("{}[table]\n{keys}\n", sphere("copper")), &[rate])
+        };
+        let request = of("").unwrap();
         assert_eq!(request.template.material.rate, Rate::JohnsonCook { coefficient: 0.025, reference: 1.0 });
         assert!(request.slip_rates[0] > 0.0);
         assert_eq!(request.template.loading.slip_rate, request.slip_rates[0]);
-        let of = |slip_rates: &str| {
-            parse_request(&format!("{SCENE}[table]\nslip_rate = {slip_rates}\n"), "request.toml", &rate)
-        };
-        let error = of("[0.0, 1.0]").unwrap_err().to_string();
+        let error = of("slip_rate = [0.0, 1.0]").unwrap_err();
         assert!(error.contains("table.slip_rate") && error.contains("without 0"), "{error}");
-        assert!(of("[0.0]").is_ok() && of("[0.1, 1.0]").is_ok());
+        assert!(of("slip_rate = [0.0]").is_ok() && of("slip_rate = [0.1, 1.0]").is_ok());
     }
 }

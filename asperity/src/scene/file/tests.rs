@@ -3,7 +3,7 @@
 use tables::refinement::Goal;
 
 use super::*;
-use crate::scene::tests::{assert_written_is_read, parse};
+use crate::scene::tests::{assert_written_is_read, parse, request};
 use crate::scene::{Hardening, Property, Softening, TemperatureTable};
 
 const COMPLETE: &str = r#"
@@ -67,12 +67,11 @@ fn scene_with(overrides: &[&str]) -> Result<Scene, String> {
 }
 
 fn request_with(overrides: &[&str]) -> Result<Request, String> {
-    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-    parse_request(REQUEST, "request.toml", &overrides).map_err(|error| error.to_string())
+    request(REQUEST, overrides)
 }
 
 fn assert_written_request_is_read(request: &Request) {
-    assert_eq!(parse_request(&write_request(request), "written", &[]).as_ref(), Ok(request));
+    assert_eq!(self::request(&write_request(request), &[]).as_ref(), Ok(request));
 }
 
 /// The message, which must be one line with all of `parts`.
@@ -222,7 +221,7 @@ fn bad_requests_are_refused() {
     ];
     let error = request_with(&soft).unwrap_err();
     assert!(error.contains("table.temperature = 500.0") && error.contains("factor is above 0"), "{error}");
-    assert!(parse_request(SHORT, "scene.toml", &[]).unwrap_err().to_string().contains("table"));
+    assert!(request(SHORT, &[]).unwrap_err().contains("table"));
     let error = parse(REQUEST, &[]).unwrap_err();
     assert!(error.contains("asperity tabulate"), "{error}");
 }

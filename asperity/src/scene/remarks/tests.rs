@@ -1,4 +1,4 @@
-use crate::scene::tests::{of_preset, parse};
+use crate::scene::tests::{of_preset, parse, request, sphere};
 use tables::numbers::{plain, rounded};
 
 /// Brass from seven constants.
@@ -144,12 +144,10 @@ fn constants_of_a_preset_at_another_temperature_are_noticed() {
             .contains("if 7e7 Pa is the strength where the factor is 1, write")
     );
     only(said(&["loading.temperature=200"]), "if it is in degrees Celsius, write 473.15");
-    let request =
-        "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n[table]\ntemperature = [200, 298]\n";
-    let cold = crate::scene::file::parse_request(request, "this test", &[]).unwrap().remarks();
+    let table = sphere("copper") + "[table]\ntemperature = [200, 298]\n";
+    let cold = request(&table, &[]).unwrap().remarks();
     assert!(cold.iter().any(|said| said.starts_with("table.temperature = 200 K is far below")), "{cold:?}");
-    let held = request.replace("[table]", "[loading]\ncontrol = \"load\"\n[table]");
-    let held = crate::scene::file::parse_request(&held, "this test", &[]).unwrap().remarks();
+    let held = request(&table, &["loading.control=load"]).unwrap().remarks();
     assert!(held.iter().any(|said| said.contains("`roughsurface` refuses such a table")), "{held:?}");
     // What the remark says, done, is enough.
     let mut copper = of_preset("copper", &["loading.temperature=700"]).material;
