@@ -62,11 +62,20 @@ def drawn(figure: Any, path: Path | None) -> Figure:
     return Figure(figure.svg())
 
 
-class Drawn:
-    """A result with a figure."""
+class Result:
+    """A result of the compiled module."""
 
     _core: Any
     _inputs: Iterable[str | os.PathLike[str]] = ()
+
+    @property
+    def warnings(self) -> list[str]:
+        """Limitations of the result."""
+        return self._core.warnings()
+
+
+class Drawn(Result):
+    """A result with a figure."""
 
     def plot(self, path: str | os.PathLike[str] | None = None, panels: str | Iterable[str] = ()) -> Figure:
         """The figure that the programs draw.

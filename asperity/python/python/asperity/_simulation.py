@@ -50,11 +50,6 @@ class Run(Drawn):
         return self._core.inception()
 
     @property
-    def warnings(self) -> list[str]:
-        """Limitations of the result."""
-        return self._core.warnings()
-
-    @property
     def notes(self) -> list[str]:
         """What the program chose, and why."""
         return self._core.notes()

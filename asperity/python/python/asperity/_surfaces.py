@@ -14,7 +14,7 @@ import numpy as np
 from . import _core
 from ._errors import InputError
 from ._input import Document, Numbers, Progress, given, names, numbers, output, overrides as laid_over, progress as shown, warn
-from ._results import Drawn, dataset
+from ._results import Drawn, Result, dataset
 from ._tables import Table, named
 
 if TYPE_CHECKING:
@@ -35,11 +35,6 @@ class Characterization(Drawn):
     def surface(self) -> str:
         """The surface file (TOML): summits of the moments, with Gaussian heights."""
         return self._core.surface_file(None)
-
-    @property
-    def warnings(self) -> list[str]:
-        """Limitations of the result."""
-        return self._core.warnings()
 
     def on(self, other: Characterization) -> Characterization:
         """Both rough faces of a contact: ``--other-face`` of ``roughsurface``.
@@ -162,8 +157,8 @@ def _heights(topography: Any, pixel: Any, unit: str) -> tuple[np.ndarray, tuple[
     return np.ascontiguousarray(np.atleast_2d(heights)), (float(steps[0]), float(steps[1])), periodic
 
 
-class _Predicted:
-    """Result with warnings and a netCDF file."""
+class _Predicted(Result):
+    """Result with a netCDF file."""
 
     _command: str
 
@@ -171,11 +166,6 @@ class _Predicted:
         self._core, self._inputs = core, [*inputs, *core.inputs()]
         self.summary: dict[str, Any] = json.loads(core.json())
         """Every number with value, error and unit: the JSON of the program."""
-
-    @property
-    def warnings(self) -> list[str]:
-        """Limitations of the result."""
-        return self._core.warnings()
 
     def to_xarray(self) -> "xarray.Dataset":
         """The same as ``dataset``."""

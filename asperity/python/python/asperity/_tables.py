@@ -115,11 +115,6 @@ class Table(Drawn):
         return self._core.provenance()
 
     @property
-    def warnings(self) -> list[str]:
-        """Limitations of the results."""
-        return self._core.warnings()
-
-    @property
     def failures(self) -> list[tuple[str, str]]:
         """Cells that failed, and why."""
         return self._core.failures()
