@@ -119,7 +119,7 @@ impl InterpolatedTable {
             let (value, error) = (values[field as usize], errors[field as usize].abs());
             Estimate {
                 value: scale * effect.factor * value,
-                error: scale * effect.factor * (value * (error + effect.error + similar.error)).abs(),
+                error: scale * effect.factor * (value * (error + effect.error + similar.error(limit))).abs(),
             }
         };
         let rise = estimate(StateQuantity::TemperatureRise, 1.0, ElasticLimit::TemperatureRise);
@@ -134,7 +134,7 @@ impl InterpolatedTable {
             temperature_max: Estimate { value: base + rise.value, error: rise.error },
             coefficient_error: errors[COEFFICIENT]
                 + strength.of(ElasticLimit::SlidingCoefficient).error
-                + similar.error,
+                + similar.error(ElasticLimit::SlidingCoefficient),
         })
     }
 
@@ -217,9 +217,10 @@ impl AsperityLaw for InterpolatedTable {
 
     fn radius_uncertainty(&self, radius: f64) -> f64 {
         let ratio = radius / self.metadata().asperity_radius;
+        const LIMIT: ElasticLimit = ElasticLimit::SlidingCoefficient;
         let at = |rate: &f64| {
             let change = self.strength_change(self.interference_limit(), *rate, ratio);
-            change.of(ElasticLimit::SlidingCoefficient).error + self.similarity(*rate / ratio, ratio).error
+            change.of(LIMIT).error + self.similarity(*rate / ratio, ratio).error(LIMIT)
         };
         let errors = self.axes().slip_rate.iter().map(at);
         errors.fold(0.0, f64::max)

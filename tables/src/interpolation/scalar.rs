@@ -69,7 +69,7 @@ impl InterpolatedTable {
         let descriptor = quantity.descriptor();
         let of_rate =
             self.strength_change(interference, slip_rate * ratio, ratio).of(descriptor.elastic_limit);
-        let relative = of_rate.error + similar.error;
+        let relative = of_rate.error + similar.error(descriptor.elastic_limit);
         let (value, error) = (of_rate.factor * value, of_rate.factor * (error + relative * value.abs()));
         let scale = similar.scale(quantity);
         Ok(Estimate { value: scale * (origin + value), error: scale * error })

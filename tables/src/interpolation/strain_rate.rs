@@ -12,6 +12,10 @@
 //!
 //! Where the contact forms within the time of a slip (`press_slip_distance`), the strength of the press changes as that of the
 //! slide does, and the contact is [similar](Similarity) to one of the table.
+//!
+//! - Data: tables of 4340, copper and 304 (C of 0.014 to 0.07) at 0.1 mm with `press_slip_distance = 1`, against cells at 2, 20 and
+//!   100 ω_c, 0.01 and 1 mm, VR of 10⁻⁵, 10⁻⁴ and 5·10⁻⁴ m²/s.
+//! - Residual: of the 54 cells all values of P, A, Q_static, mu_static, slip at inception, G and temperature lie within the errors.
 
 use super::InterpolatedTable;
 use super::interpolant::Interpolant;
@@ -46,16 +50,17 @@ pub(super) struct Similarity {
     ratio: f64,
     /// Λ(R)/Λ(R_t); 1 where the press is quasi-static.
     strength: f64,
-    /// Relative error that the change of the strength adds.
-    pub(super) error: f64,
+    /// Relative error where parts of the body flow at less than the reference rate.
+    slow: f64,
 }
 
 impl Similarity {
     /// p of the factor (Λ(R)/Λ(R_t))ᵖ of the slip rate at which the contact of the table is as hot: at low Péclet numbers the
     /// rise follows τVa, with a contact radius in proportion to Λ.
     const HEAT: f64 = 2.0;
-    /// Relative error over ln(Λ(R)/Λ(R_t)).
-    const ERROR: f64 = 0.3;
+    /// Relative error over ln(Λ(R)/Λ(R_t)) of sliding friction, and of the others. Interface and body flow at different rates,
+    /// and their factors do not change in the same ratio.
+    const ERRORS: [f64; 2] = [0.6, 0.3];
     /// V/(aε̇₀) below which parts of the body flow at less than the reference rate, where Λ ends.
     const SLOW: f64 = 3e3;
 
@@ -72,6 +77,16 @@ impl Similarity {
     /// Slip in the table, m.
     pub(super) fn slip(self, slip: f64) -> f64 {
         slip.max(0.0) / (self.ratio * self.strength)
+    }
+
+    /// Relative error that the change of the strength adds.
+    pub(super) fn error(self, limit: ElasticLimit) -> f64 {
+        let [of_sliding, of_others] = Self::ERRORS;
+        let share = match limit {
+            ElasticLimit::SlidingFriction | ElasticLimit::SlidingCoefficient => of_sliding,
+            _ => of_others,
+        };
+        share * self.strength.ln().abs() + self.slow
     }
 
     /// Factor of a quantity by its exponents of radius and strength.
@@ -135,16 +150,15 @@ impl InterpolatedTable {
         let metadata = self.metadata();
         let law = metadata.press_slip_distance.and(metadata.rate_coefficient.zip(metadata.rate_reference));
         let Some((coefficient, reference)) = law.filter(|_| ratio != 1.0) else {
-            return Similarity { ratio, strength: 1.0, error: 0.0 };
+            return Similarity { ratio, strength: 1.0, slow: 0.0 };
         };
         let sphere = &self.interpolant.sphere;
         let contact = sphere.contact_radius((self.interference_start() * self.interference_limit()).sqrt());
         let of_table = sphere.rate_factor(slip_rate * ratio, contact);
         let strength = sphere.rate_factor(slip_rate, contact * ratio) / of_table;
         let slower = slip_rate / contact * ratio.min(1.0 / ratio);
-        let below_reference = coefficient * (Similarity::SLOW * reference / slower).max(1.0).ln();
-        let error = Similarity::ERROR * strength.ln().abs() + below_reference;
-        Similarity { ratio, strength, error }
+        let slow = coefficient * (Similarity::SLOW * reference / slower).max(1.0).ln();
+        Similarity { ratio, strength, slow }
     }
 
     /// Change of the strength at R = `ratio`·R_t; `slip_rate` is that of the table at the same VR (m/s).
