@@ -73,6 +73,9 @@ Without a preset the material neither hardens nor softens unless it is given how
 The strength does not depend on the strain rate unless a law is named; with a preset of a metal
 rate = { law = \"johnson-cook\" } suffices:
   rate = { law = \"none\" }         # default; or johnson-cook (coefficient, reference in 1/s)
+With a rate law the press is quasi-static, unless [loading] states the slip within which the contact
+forms, in contact radii (about 1 between two rough faces):
+  press_slip_distance = 1.0
 thermal_expansion = 0 leaves expansion out. -v prints every default in effect.
 
 With one of these in [material] the energy G is also given as a share of the shear fracture energy:

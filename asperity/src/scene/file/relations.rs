@@ -136,7 +136,7 @@ mod tests {
         }
         // A press within a time has no effect without one.
         let set = ["loading.press_slip_distance=1"];
-        let text = format!("{SCENE}[loading]\ninterference = 20\nslip_rate = 1\n");
+        let text = format!("{}[loading]\ninterference = 20\nslip_rate = 1\n", sphere("copper"));
         let error = parse(&text, &set).unwrap_err();
         assert!(error.contains("left out without a rate law"), "{error}");
         // The standard has no rate law that the scene could take.
