@@ -98,9 +98,15 @@ impl Watch for StopAfter {
 #[test]
 fn one_press_serves_all_slip_rates_largest_first() {
     let hot = TEMPERATURES.replace("[1, 3, 10, 30]", "[1, 3, 10]");
-    for (text, presses, slides) in
-        [(GRID, &[100.0, 10.0, 1.0][..], 9), (&hot, &[10.0, 10.0, 10.0, 3.0, 3.0, 3.0, 1.0, 1.0, 1.0], 18)]
-    {
+    // A press within a time depends on the slip rate.
+    let timed =
+        format!("[loading]\npress_slip_distance = 1\n[material.rate]\nlaw = \"johnson-cook\"\n{GRID}");
+    let by_three = |rows: [f64; 3]| rows.map(|row| [row; 3]).concat();
+    for (text, presses, slides) in [
+        (GRID, vec![100.0, 10.0, 1.0], 9),
+        (&hot, by_three([10.0, 3.0, 1.0]), 18),
+        (&timed, by_three([100.0, 10.0, 1.0]), 9),
+    ] {
         let fake = Fake::default();
         let tabulation = whole(text, &fake, 1);
         assert_eq!(*fake.presses.lock().unwrap(), presses);
