@@ -1,5 +1,5 @@
-//! The press: a θ-independent problem without heat, quasi-static or within a time, in full stick, or without friction if the interface has none or the
-//! counterface is displaced as the asperity is.
+//! The press: a θ-independent problem without heat, quasi-static or within a time, in full stick, or without friction if the
+//! interface has none or the counterface is displaced as the asperity is.
 
 use crate::discretisation::body::Body;
 use crate::discretisation::collocation::Collocation;

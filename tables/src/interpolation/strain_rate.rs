@@ -50,8 +50,9 @@ pub(super) struct Similarity {
     ratio: f64,
     /// Λ(R)/Λ(R_t); 1 where the press is quasi-static.
     strength: f64,
-    /// Relative error where parts of the body flow at less than the reference rate.
-    slow: f64,
+    /// Relative error where parts of the body flow at less than the reference rate, and where the limit of the shear traction is not
+    /// the strength of the metal.
+    dissimilar: f64,
 }
 
 impl Similarity {
@@ -86,7 +87,7 @@ impl Similarity {
             ElasticLimit::SlidingFriction | ElasticLimit::SlidingCoefficient => of_sliding,
             _ => of_others,
         };
-        share * self.strength.ln().abs() + self.slow
+        share * self.strength.ln().abs() + self.dissimilar
     }
 
     /// Factor of a quantity by its exponents of radius and strength.
@@ -144,13 +145,19 @@ impl StrengthChange {
 }
 
 impl InterpolatedTable {
+    /// Whether the strength of the metal alone limits the shear traction.
+    fn slides_at_strength_of_metal(&self) -> bool {
+        let metadata = self.metadata();
+        metadata.strength_factor.is_some() && metadata.film_strength.is_none()
+    }
+
     /// The contact of the table to which one at R = `ratio`·R_t and a slip rate (m/s) is similar. The ratio of the strengths hardly
     /// depends on the interference.
     pub(super) fn similarity(&self, slip_rate: f64, ratio: f64) -> Similarity {
         let metadata = self.metadata();
         let law = metadata.press_slip_distance.and(metadata.rate_coefficient.zip(metadata.rate_reference));
         let Some((coefficient, reference)) = law.filter(|_| ratio != 1.0) else {
-            return Similarity { ratio, strength: 1.0, slow: 0.0 };
+            return Similarity { ratio, strength: 1.0, dissimilar: 0.0 };
         };
         let sphere = &self.interpolant.sphere;
         let contact = sphere.contact_radius((self.interference_start() * self.interference_limit()).sqrt());
@@ -158,7 +165,8 @@ impl InterpolatedTable {
         let strength = sphere.rate_factor(slip_rate, contact * ratio) / of_table;
         let slower = slip_rate / contact * ratio.min(1.0 / ratio);
         let slow = coefficient * (Similarity::SLOW * reference / slower).max(1.0).ln();
-        Similarity { ratio, strength, slow }
+        let of_interface = if self.slides_at_strength_of_metal() { 0.0 } else { strength.ln().abs() };
+        Similarity { ratio, strength, dissimilar: slow + of_interface }
     }
 
     /// Change of the strength at R = `ratio`·R_t; `slip_rate` is that of the table at the same VR (m/s).
@@ -182,7 +190,7 @@ impl InterpolatedTable {
             extrapolated: 0.5 * coefficient / here * above,
             log_interference: interference.ln(),
             contact_radius,
-            is_of_metal: metadata.strength_factor.is_some() && metadata.film_strength.is_none(),
+            is_of_metal: self.slides_at_strength_of_metal(),
         }
     }
 }

@@ -247,6 +247,13 @@ fn at_other_radii_contacts_that_form_while_they_slide_are_similar() {
     assert!(relative(here.temperature_max.value, there.temperature_max.value) < 1e-12);
     let fixed = similar.at_slip_rate(0.1 * RADIUS, 10.0).unwrap()(omega, 0.1 * factor * slip).unwrap();
     assert!(relative(fixed.load.value, here.load.value) < 1e-3);
+    // A film does not follow the strength of the metal.
+    let mut film = similar.clone().into_slice();
+    let metadata = film.metadata_mut();
+    (metadata.film_strength, metadata.pressure_coefficient) = (Some(1e8), Some(0.1));
+    let wider =
+        film.interpolated().radius_uncertainty(0.1 * RADIUS) - similar.radius_uncertainty(0.1 * RADIUS);
+    assert!(wider > 0.9 * factor.ln(), "{wider}");
     assert!(similar.radius_uncertainty(0.1 * RADIUS) >= 0.6 * factor.ln() - 1e-9);
     assert_eq!(similar.radius_uncertainty(RADIUS), 0.0);
 }
